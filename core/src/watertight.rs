@@ -150,19 +150,20 @@ fn plane_t(
     } else {
         c
     };
-    let slope = n.dot(direction);
-    let t = n.dot(p - origin) / slope;
+    let (height, slope) = (n.dot(p - origin), n.dot(direction));
 
     // The point on the longest side that the ray passes at a right angle, as seen along it.
     let (x, y) = (end.x - at.x, end.y - at.y);
     let share = max(min(-(at.x * x + at.y * y) / (x * x + y * y), 1.0), 0.0);
     let p = from + side * share - origin;
     let beside = p.z / direction.z;
-    let is_on_plane = abs(n.dot(p) - t * slope) <= PLANE_SLACK * max(size(p), longest) * size(n);
+    let is_on_plane = abs(n.dot(p) - height) <= PLANE_SLACK * max(size(p), longest) * size(n);
     if is_on_plane && abs(slope) > EDGE_ON * size(e) * size(f) {
-        return t;
+        return height / slope;
     }
-    let rest = n.dot(p - direction * beside) / slope;
+    // Along the direction's longest axis nothing is left. (Compilers of shaders take `z · (x / z)` for x: none is written here.)
+    let (x, y) = (p.x - direction.x * beside, p.y - direction.y * beside);
+    let rest = (n.x * x + n.y * y) / slope;
     if abs(rest) <= longest {
         beside + rest
     } else {

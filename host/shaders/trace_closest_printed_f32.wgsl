@@ -93,392 +93,394 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_328_: i32;
     var phi_329_: i32;
-    var phi_339_: bool;
-    var phi_349_: u32;
+    var phi_330_: i32;
+    var phi_340_: bool;
     var phi_350_: u32;
-    var phi_352_: bool;
-    var phi_357_: u32;
-    var phi_369_: i32;
-    var phi_389_: i32;
-    var phi_407_: f32;
-    var phi_413_: f32;
-    var phi_424_: f32;
-    var phi_430_: f32;
-    var phi_453_: f32;
-    var phi_464_: f32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_696_: f32;
+    var phi_351_: u32;
+    var phi_353_: bool;
+    var phi_358_: u32;
+    var phi_370_: i32;
+    var phi_390_: i32;
+    var phi_408_: f32;
+    var phi_414_: f32;
+    var phi_425_: f32;
+    var phi_431_: f32;
+    var phi_454_: f32;
+    var phi_465_: f32;
+    var phi_474_: f32;
+    var phi_480_: f32;
+    var phi_491_: f32;
+    var phi_497_: f32;
+    var phi_520_: f32;
+    var phi_531_: f32;
+    var phi_540_: f32;
+    var phi_546_: f32;
+    var phi_557_: f32;
+    var phi_563_: f32;
+    var phi_586_: f32;
+    var phi_597_: f32;
     var phi_697_: f32;
-    var phi_2976_: bool;
-    var phi_770_: type_33;
-    var phi_773_: type_49;
-    var phi_775_: u32;
-    var phi_777_: bool;
-    var phi_779_: u32;
-    var phi_790_: bool;
-    var phi_876_: type_49;
-    var phi_877_: bool;
-    var phi_878_: u32;
-    var phi_1928_: type_42;
-    var phi_2760_: type_49;
-    var phi_2837_: type_49;
-    var phi_2838_: type_49;
-    var phi_2839_: u32;
-    var phi_2841_: type_49;
-    var phi_2842_: u32;
-    var phi_2843_: bool;
-    var phi_2850_: type_49;
-    var phi_2855_: type_49;
-    var phi_2856_: bool;
-    var phi_896_: type_33;
-    var phi_899_: type_4;
-    var phi_900_: type_4;
-    var phi_922_: type_4;
-    var phi_943_: u32;
-    var phi_1032_: array<array<f32, 3>, 3>;
-    var phi_1149_: bool;
-    var phi_1178_: bool;
-    var phi_1579_: f32;
-    var phi_1580_: f32;
-    var phi_1581_: f32;
-    var phi_1582_: f32;
-    var phi_1583_: vec3<f32>;
-    var phi_1584_: vec3<f32>;
-    var phi_1585_: vec3<f32>;
-    var phi_1586_: vec3<f32>;
-    var phi_1617_: bool;
-    var phi_1626_: vec3<f32>;
-    var phi_1793_: bool;
-    var phi_1817_: f32;
-    var phi_1818_: f32;
-    var phi_1841_: type_22;
-    var phi_1843_: type_22;
-    var phi_1844_: bool;
-    var phi_1848_: type_22;
-    var phi_1849_: type_22;
-    var phi_1850_: type_22;
-    var phi_1851_: bool;
-    var phi_1855_: type_22;
-    var phi_1856_: bool;
-    var phi_1857_: type_22;
-    var phi_1858_: bool;
-    var phi_1859_: bool;
-    var phi_1860_: type_22;
-    var phi_1861_: bool;
-    var phi_1862_: bool;
-    var phi_1870_: type_22;
-    var phi_1871_: bool;
-    var phi_1875_: type_22;
-    var phi_1900_: bool;
-    var phi_1901_: bool;
-    var phi_1907_: type_33;
-    var phi_1908_: type_33;
-    var phi_1909_: type_33;
-    var phi_897_: type_33;
-    var phi_2970_: bool;
-    var phi_3116_: bool;
-    var phi_2858_: type_33;
-    var phi_2859_: type_49;
-    var phi_2860_: bool;
-    var phi_2861_: u32;
-    var phi_3115_: bool;
-    var phi_2862_: type_33;
-    var phi_2863_: type_49;
-    var phi_2864_: u32;
-    var phi_2865_: bool;
-    var phi_2866_: u32;
-    var phi_3114_: bool;
-    var phi_2867_: type_33;
-    var phi_2868_: type_49;
-    var phi_2869_: u32;
-    var phi_2870_: bool;
-    var phi_2871_: u32;
-    var phi_3113_: bool;
+    var phi_698_: f32;
+    var phi_2974_: bool;
     var phi_771_: type_33;
     var phi_774_: type_49;
     var phi_776_: u32;
     var phi_778_: bool;
     var phi_780_: u32;
-    var phi_2872_: bool;
+    var phi_791_: bool;
+    var phi_877_: type_49;
+    var phi_878_: bool;
+    var phi_879_: u32;
+    var phi_1926_: type_42;
+    var phi_2758_: type_49;
+    var phi_2835_: type_49;
+    var phi_2836_: type_49;
+    var phi_2837_: u32;
+    var phi_2839_: type_49;
+    var phi_2840_: u32;
+    var phi_2841_: bool;
+    var phi_2848_: type_49;
+    var phi_2853_: type_49;
+    var phi_2854_: bool;
+    var phi_897_: type_33;
+    var phi_900_: type_4;
+    var phi_901_: type_4;
+    var phi_923_: type_4;
+    var phi_944_: u32;
+    var phi_1033_: array<array<f32, 3>, 3>;
+    var phi_1150_: bool;
+    var phi_1179_: bool;
+    var phi_1580_: f32;
+    var phi_1581_: f32;
+    var phi_1582_: f32;
+    var phi_1583_: f32;
+    var phi_1584_: vec3<f32>;
+    var phi_1585_: vec3<f32>;
+    var phi_1586_: vec3<f32>;
+    var phi_1587_: vec3<f32>;
+    var phi_1618_: bool;
+    var phi_1627_: vec3<f32>;
+    var phi_1792_: f32;
+    var phi_1794_: f32;
+    var phi_1795_: bool;
+    var phi_1815_: f32;
+    var phi_1816_: f32;
+    var phi_1839_: type_22;
+    var phi_1841_: type_22;
+    var phi_1842_: bool;
+    var phi_1846_: type_22;
+    var phi_1847_: type_22;
+    var phi_1848_: type_22;
+    var phi_1849_: bool;
+    var phi_1853_: type_22;
+    var phi_1854_: bool;
+    var phi_1855_: type_22;
+    var phi_1856_: bool;
+    var phi_1857_: bool;
+    var phi_1858_: type_22;
+    var phi_1859_: bool;
+    var phi_1860_: bool;
+    var phi_1868_: type_22;
+    var phi_1869_: bool;
+    var phi_1873_: type_22;
+    var phi_1898_: bool;
+    var phi_1899_: bool;
+    var phi_1905_: type_33;
+    var phi_1906_: type_33;
+    var phi_1907_: type_33;
+    var phi_898_: type_33;
+    var phi_2968_: bool;
+    var phi_3114_: bool;
+    var phi_2856_: type_33;
+    var phi_2857_: type_49;
+    var phi_2858_: bool;
+    var phi_2859_: u32;
+    var phi_3113_: bool;
+    var phi_2860_: type_33;
+    var phi_2861_: type_49;
+    var phi_2862_: u32;
+    var phi_2863_: bool;
+    var phi_2864_: u32;
     var phi_3112_: bool;
+    var phi_2865_: type_33;
+    var phi_2866_: type_49;
+    var phi_2867_: u32;
+    var phi_2868_: bool;
+    var phi_2869_: u32;
+    var phi_3111_: bool;
+    var phi_772_: type_33;
+    var phi_775_: type_49;
+    var phi_777_: u32;
+    var phi_779_: bool;
+    var phi_781_: u32;
+    var phi_2870_: bool;
+    var phi_3110_: bool;
     var local_10: type_33;
-    var phi_2924_: type_22;
+    var phi_2922_: type_22;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e76 = global;
-            let _e79 = arrayLength((&global_5.member));
-            let _e81 = arrayLength((&global_2.member));
-            let _e89 = global_3.member[0u][0u];
-            let _e93 = global_3.member[0u][1u];
-            let _e97 = global_3.member[0u][2u];
-            let _e101 = global_3.member[1u][0u];
-            let _e105 = global_3.member[1u][1u];
-            let _e109 = global_3.member[1u][2u];
-            let _e113 = global_3.member[1u][3u];
-            let _e116 = global_1.member[0u];
-            let _e117 = bitcast<i32>(_e116);
-            let _e127 = (_e76.x + (_e76.y * 2097152u));
-            let _e128 = (_e127 < arrayLength((&global_4.member)));
-            if _e128 {
-                let _e129 = (_e127 < arrayLength((&global_6.member)));
-                if _e129 {
-                    if _e128 {
+            let _e77 = global;
+            let _e80 = arrayLength((&global_5.member));
+            let _e82 = arrayLength((&global_2.member));
+            let _e90 = global_3.member[0u][0u];
+            let _e94 = global_3.member[0u][1u];
+            let _e98 = global_3.member[0u][2u];
+            let _e102 = global_3.member[1u][0u];
+            let _e106 = global_3.member[1u][1u];
+            let _e110 = global_3.member[1u][2u];
+            let _e114 = global_3.member[1u][3u];
+            let _e117 = global_1.member[0u];
+            let _e118 = bitcast<i32>(_e117);
+            let _e128 = (_e77.x + (_e77.y * 2097152u));
+            let _e129 = (_e128 < arrayLength((&global_4.member)));
+            if _e129 {
+                let _e130 = (_e128 < arrayLength((&global_6.member)));
+                if _e130 {
+                    if _e129 {
                     } else {
                         break;
                     }
-                    let _e137 = global_4.member[_e127].member_2[0u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e144 = global_4.member[_e127].member_2[1u];
-                    let _e146 = (bitcast<u32>(_e144) & 2147483647u);
-                    let _e151 = global_4.member[_e127].member_2[2u];
-                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
-                    let _e158 = global_4.member[_e127].member[0u];
-                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                    let _e165 = global_4.member[_e127].member[1u];
-                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
-                    let _e172 = global_4.member[_e127].member[2u];
-                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                    let _e176 = select(_e146, _e139, (_e146 < _e139));
-                    let _e178 = select(_e153, _e176, (_e153 < _e176));
-                    let _e180 = select(_e160, _e178, (_e160 < _e178));
-                    let _e182 = select(_e167, _e180, (_e167 < _e180));
-                    let _e184 = select(_e174, _e182, (_e174 < _e182));
-                    let _e188 = global_4.member[_e127].member_1;
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e197 = global_4.member[_e127].member_3;
-                    let _e203 = (((select(_e190, _e184, (_e190 < _e184)) < 2139095040u) && ((bitcast<u32>(_e197) & 2147483647u) <= 2139095040u)) && (_e178 > 0u));
-                    if _e203 {
-                        let _e206 = (bitcast<u32>(bitcast<f32>(_e178)) & 2147483647u);
-                        if (_e206 >= 8388608u) {
-                            phi_328_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
+                    let _e138 = global_4.member[_e128].member_2[0u];
+                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                    let _e145 = global_4.member[_e128].member_2[1u];
+                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
+                    let _e152 = global_4.member[_e128].member_2[2u];
+                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
+                    let _e159 = global_4.member[_e128].member[0u];
+                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                    let _e166 = global_4.member[_e128].member[1u];
+                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                    let _e173 = global_4.member[_e128].member[2u];
+                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                    let _e177 = select(_e147, _e140, (_e147 < _e140));
+                    let _e179 = select(_e154, _e177, (_e154 < _e177));
+                    let _e181 = select(_e161, _e179, (_e161 < _e179));
+                    let _e183 = select(_e168, _e181, (_e168 < _e181));
+                    let _e185 = select(_e175, _e183, (_e175 < _e183));
+                    let _e189 = global_4.member[_e128].member_1;
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e198 = global_4.member[_e128].member_3;
+                    let _e204 = (((select(_e191, _e185, (_e191 < _e185)) < 2139095040u) && ((bitcast<u32>(_e198) & 2147483647u) <= 2139095040u)) && (_e179 > 0u));
+                    if _e204 {
+                        let _e207 = (bitcast<u32>(bitcast<f32>(_e179)) & 2147483647u);
+                        if (_e207 >= 8388608u) {
+                            phi_329_ = (bitcast<i32>((_e207 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
+                            phi_329_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e207)), 32u, (_e207 == 0u))));
                         }
-                        let _e220 = phi_328_;
-                        phi_329_ = _e220;
+                        let _e221 = phi_329_;
+                        phi_330_ = _e221;
                     } else {
-                        phi_329_ = 0i;
+                        phi_330_ = 0i;
                     }
-                    let _e222 = phi_329_;
-                    let _e223 = (_e139 == _e178);
-                    if _e223 {
-                        phi_339_ = true;
+                    let _e223 = phi_330_;
+                    let _e224 = (_e140 == _e179);
+                    if _e224 {
+                        phi_340_ = true;
                     } else {
-                        phi_339_ = (_e146 == _e178);
+                        phi_340_ = (_e147 == _e179);
                     }
-                    let _e226 = phi_339_;
-                    let _e227 = select(1u, 0u, _e223);
-                    if _e226 {
-                        let _e228 = (_e227 + 1u);
-                        phi_349_ = _e228;
-                        phi_350_ = _e228;
-                        phi_352_ = select(true, false, (_e228 == 2u));
+                    let _e227 = phi_340_;
+                    let _e228 = select(1u, 0u, _e224);
+                    if _e227 {
+                        let _e229 = (_e228 + 1u);
+                        phi_350_ = _e229;
+                        phi_351_ = _e229;
+                        phi_353_ = select(true, false, (_e229 == 2u));
                     } else {
-                        phi_349_ = u32();
-                        phi_350_ = 0u;
-                        phi_352_ = true;
+                        phi_350_ = u32();
+                        phi_351_ = 0u;
+                        phi_353_ = true;
                     }
-                    let _e232 = phi_349_;
-                    let _e234 = phi_350_;
-                    let _e236 = phi_352_;
-                    if _e236 {
-                        phi_357_ = (_e234 + 1u);
+                    let _e233 = phi_350_;
+                    let _e235 = phi_351_;
+                    let _e237 = phi_353_;
+                    if _e237 {
+                        phi_358_ = (_e235 + 1u);
                     } else {
-                        phi_357_ = 0u;
+                        phi_358_ = 0u;
                     }
-                    let _e240 = phi_357_;
-                    let _e241 = select(_e232, _e234, _e236);
-                    let _e242 = select(_e227, select(2u, _e227, _e226), _e236);
-                    if (_e117 < -126i) {
-                        phi_369_ = -126i;
+                    let _e241 = phi_358_;
+                    let _e242 = select(_e233, _e235, _e237);
+                    let _e243 = select(_e228, select(2u, _e228, _e227), _e237);
+                    if (_e118 < -126i) {
+                        phi_370_ = -126i;
                     } else {
-                        phi_369_ = select(_e117, 127i, (_e117 > 127i));
+                        phi_370_ = select(_e118, 127i, (_e118 > 127i));
                     }
-                    let _e247 = phi_369_;
-                    let _e252 = bitcast<f32>((bitcast<u32>((_e247 + 127i)) << bitcast<u32>(23i)));
-                    let _e258 = bitcast<f32>((bitcast<u32>(((_e117 - _e247) + 127i)) << bitcast<u32>(23i)));
-                    let _e259 = -(_e222);
-                    if (_e259 < -126i) {
-                        phi_389_ = -126i;
+                    let _e248 = phi_370_;
+                    let _e253 = bitcast<f32>((bitcast<u32>((_e248 + 127i)) << bitcast<u32>(23i)));
+                    let _e259 = bitcast<f32>((bitcast<u32>(((_e118 - _e248) + 127i)) << bitcast<u32>(23i)));
+                    let _e260 = -(_e223);
+                    if (_e260 < -126i) {
+                        phi_390_ = -126i;
                     } else {
-                        phi_389_ = select(_e259, 127i, (_e259 > 127i));
+                        phi_390_ = select(_e260, 127i, (_e260 > 127i));
                     }
-                    let _e264 = phi_389_;
-                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = bitcast<f32>((bitcast<u32>(((_e259 - _e264) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = global_4.member[_e127].member;
-                    let _e280 = (_e241 == 0u);
-                    if _e280 {
-                        phi_407_ = _e279[0];
+                    let _e265 = phi_390_;
+                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = bitcast<f32>((bitcast<u32>(((_e260 - _e265) + 127i)) << bitcast<u32>(23i)));
+                    let _e280 = global_4.member[_e128].member;
+                    let _e281 = (_e242 == 0u);
+                    if _e281 {
+                        phi_408_ = _e280[0];
                     } else {
-                        phi_407_ = _e279[1];
+                        phi_408_ = _e280[1];
                     }
-                    let _e284 = phi_407_;
-                    let _e285 = (_e241 == 2u);
-                    if _e285 {
-                        phi_413_ = _e279[2];
+                    let _e285 = phi_408_;
+                    let _e286 = (_e242 == 2u);
+                    if _e286 {
+                        phi_414_ = _e280[2];
                     } else {
-                        phi_413_ = _e284;
+                        phi_414_ = _e285;
                     }
-                    let _e288 = phi_413_;
-                    let _e290 = ((_e288 * _e252) * _e258);
-                    let _e291 = global_4.member[_e127].member_2;
-                    if _e280 {
-                        phi_424_ = _e291[0];
+                    let _e289 = phi_414_;
+                    let _e291 = ((_e289 * _e253) * _e259);
+                    let _e292 = global_4.member[_e128].member_2;
+                    if _e281 {
+                        phi_425_ = _e292[0];
                     } else {
-                        phi_424_ = _e291[1];
+                        phi_425_ = _e292[1];
                     }
-                    let _e295 = phi_424_;
-                    if _e285 {
-                        phi_430_ = _e291[2];
+                    let _e296 = phi_425_;
+                    if _e286 {
+                        phi_431_ = _e292[2];
                     } else {
-                        phi_430_ = _e295;
+                        phi_431_ = _e296;
                     }
-                    let _e298 = phi_430_;
-                    let _e300 = ((_e298 * _e269) * _e275);
-                    let _e304 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e304 {
-                        let _e308 = (bitcast<f32>((bitcast<u32>(_e290) & 2147483647u)) * 0.00000011920929f);
-                        phi_453_ = select(0.00000000000011368684f, _e308, (_e308 > 0.00000000000011368684f));
+                    let _e299 = phi_431_;
+                    let _e301 = ((_e299 * _e270) * _e276);
+                    let _e305 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e305 {
+                        let _e309 = (bitcast<f32>((bitcast<u32>(_e291) & 2147483647u)) * 0.00000011920929f);
+                        phi_454_ = select(0.00000000000011368684f, _e309, (_e309 > 0.00000000000011368684f));
                     } else {
-                        phi_453_ = 0f;
+                        phi_454_ = 0f;
                     }
-                    let _e312 = phi_453_;
-                    let _e313 = (_e290 + _e312);
-                    let _e314 = (_e290 - _e312);
-                    let _e315 = select(_e300, 0f, _e304);
-                    if _e304 {
-                        phi_464_ = 38685626000000000000000000f;
+                    let _e313 = phi_454_;
+                    let _e314 = (_e291 + _e313);
+                    let _e315 = (_e291 - _e313);
+                    let _e316 = select(_e301, 0f, _e305);
+                    if _e305 {
+                        phi_465_ = 38685626000000000000000000f;
                     } else {
-                        phi_464_ = (1f / _e300);
+                        phi_465_ = (1f / _e301);
                     }
-                    let _e318 = phi_464_;
-                    let _e319 = (_e240 == 0u);
-                    if _e319 {
-                        phi_473_ = _e279[0];
+                    let _e319 = phi_465_;
+                    let _e320 = (_e241 == 0u);
+                    if _e320 {
+                        phi_474_ = _e280[0];
                     } else {
-                        phi_473_ = _e279[1];
+                        phi_474_ = _e280[1];
                     }
-                    let _e323 = phi_473_;
-                    let _e324 = (_e240 == 2u);
-                    if _e324 {
-                        phi_479_ = _e279[2];
+                    let _e324 = phi_474_;
+                    let _e325 = (_e241 == 2u);
+                    if _e325 {
+                        phi_480_ = _e280[2];
                     } else {
-                        phi_479_ = _e323;
+                        phi_480_ = _e324;
                     }
-                    let _e327 = phi_479_;
-                    let _e329 = ((_e327 * _e252) * _e258);
-                    if _e319 {
-                        phi_490_ = _e291[0];
+                    let _e328 = phi_480_;
+                    let _e330 = ((_e328 * _e253) * _e259);
+                    if _e320 {
+                        phi_491_ = _e292[0];
                     } else {
-                        phi_490_ = _e291[1];
+                        phi_491_ = _e292[1];
                     }
-                    let _e333 = phi_490_;
-                    if _e324 {
-                        phi_496_ = _e291[2];
+                    let _e334 = phi_491_;
+                    if _e325 {
+                        phi_497_ = _e292[2];
                     } else {
-                        phi_496_ = _e333;
+                        phi_497_ = _e334;
                     }
-                    let _e336 = phi_496_;
-                    let _e338 = ((_e336 * _e269) * _e275);
-                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e342 {
-                        let _e346 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
+                    let _e337 = phi_497_;
+                    let _e339 = ((_e337 * _e270) * _e276);
+                    let _e343 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e343 {
+                        let _e347 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) * 0.00000011920929f);
+                        phi_520_ = select(0.00000000000011368684f, _e347, (_e347 > 0.00000000000011368684f));
                     } else {
-                        phi_519_ = 0f;
+                        phi_520_ = 0f;
                     }
-                    let _e350 = phi_519_;
-                    let _e351 = (_e329 + _e350);
-                    let _e352 = (_e329 - _e350);
-                    let _e353 = select(_e338, 0f, _e342);
-                    if _e342 {
-                        phi_530_ = 38685626000000000000000000f;
+                    let _e351 = phi_520_;
+                    let _e352 = (_e330 + _e351);
+                    let _e353 = (_e330 - _e351);
+                    let _e354 = select(_e339, 0f, _e343);
+                    if _e343 {
+                        phi_531_ = 38685626000000000000000000f;
                     } else {
-                        phi_530_ = (1f / _e338);
+                        phi_531_ = (1f / _e339);
                     }
-                    let _e356 = phi_530_;
-                    let _e357 = (_e242 == 0u);
-                    if _e357 {
-                        phi_539_ = _e279[0];
+                    let _e357 = phi_531_;
+                    let _e358 = (_e243 == 0u);
+                    if _e358 {
+                        phi_540_ = _e280[0];
                     } else {
-                        phi_539_ = _e279[1];
+                        phi_540_ = _e280[1];
                     }
-                    let _e361 = phi_539_;
-                    let _e362 = (_e242 == 2u);
-                    if _e362 {
-                        phi_545_ = _e279[2];
+                    let _e362 = phi_540_;
+                    let _e363 = (_e243 == 2u);
+                    if _e363 {
+                        phi_546_ = _e280[2];
                     } else {
-                        phi_545_ = _e361;
+                        phi_546_ = _e362;
                     }
-                    let _e365 = phi_545_;
-                    let _e367 = ((_e365 * _e252) * _e258);
-                    if _e357 {
-                        phi_556_ = _e291[0];
+                    let _e366 = phi_546_;
+                    let _e368 = ((_e366 * _e253) * _e259);
+                    if _e358 {
+                        phi_557_ = _e292[0];
                     } else {
-                        phi_556_ = _e291[1];
+                        phi_557_ = _e292[1];
                     }
-                    let _e371 = phi_556_;
-                    if _e362 {
-                        phi_562_ = _e291[2];
+                    let _e372 = phi_557_;
+                    if _e363 {
+                        phi_563_ = _e292[2];
                     } else {
-                        phi_562_ = _e371;
+                        phi_563_ = _e372;
                     }
-                    let _e374 = phi_562_;
-                    let _e376 = ((_e374 * _e269) * _e275);
-                    let _e380 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e380 {
-                        let _e384 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e384, (_e384 > 0.00000000000011368684f));
+                    let _e375 = phi_563_;
+                    let _e377 = ((_e375 * _e270) * _e276);
+                    let _e381 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e381 {
+                        let _e385 = (bitcast<f32>((bitcast<u32>(_e368) & 2147483647u)) * 0.00000011920929f);
+                        phi_586_ = select(0.00000000000011368684f, _e385, (_e385 > 0.00000000000011368684f));
                     } else {
-                        phi_585_ = 0f;
+                        phi_586_ = 0f;
                     }
-                    let _e388 = phi_585_;
-                    let _e389 = (_e367 + _e388);
-                    let _e390 = (_e367 - _e388);
-                    let _e391 = select(_e376, 0f, _e380);
-                    if _e380 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e389 = phi_586_;
+                    let _e390 = (_e368 + _e389);
+                    let _e391 = (_e368 - _e389);
+                    let _e392 = select(_e377, 0f, _e381);
+                    if _e381 {
+                        phi_597_ = 38685626000000000000000000f;
                     } else {
-                        phi_596_ = (1f / _e376);
+                        phi_597_ = (1f / _e377);
                     }
-                    let _e394 = phi_596_;
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e290) & 2147483647u));
-                    let _e400 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
-                    let _e402 = select(_e400, _e397, (_e397 > _e400));
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e367) & 2147483647u));
-                    let _e408 = (_e117 + _e222);
-                    if (_e203 && (select(_e405, _e402, (_e402 > _e405)) <= 1099511600000f)) {
-                        let _e411 = (_e408 / 3i);
-                        let _e418 = bitcast<f32>((bitcast<u32>((_e411 + 127i)) << bitcast<u32>(23i)));
-                        let _e425 = bitcast<f32>((bitcast<u32>(((_e408 - (2i * _e411)) + 127i)) << bitcast<u32>(23i)));
-                        let _e426 = (((_e188 * _e418) * _e418) * _e425);
-                        let _e428 = select(340282350000000000000000000000000000000f, _e426, (_e426 < 340282350000000000000000000000000000000f));
-                        let _e433 = (((_e197 * _e418) * _e418) * _e425);
-                        let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
-                        phi_696_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
-                        phi_697_ = select(-340282350000000000000000000000000000000f, _e428, (_e428 > -340282350000000000000000000000000000000f));
+                    let _e395 = phi_597_;
+                    let _e398 = bitcast<f32>((bitcast<u32>(_e291) & 2147483647u));
+                    let _e401 = bitcast<f32>((bitcast<u32>(_e330) & 2147483647u));
+                    let _e403 = select(_e401, _e398, (_e398 > _e401));
+                    let _e406 = bitcast<f32>((bitcast<u32>(_e368) & 2147483647u));
+                    let _e409 = (_e118 + _e223);
+                    if (_e204 && (select(_e406, _e403, (_e403 > _e406)) <= 1099511600000f)) {
+                        let _e412 = (_e409 / 3i);
+                        let _e419 = bitcast<f32>((bitcast<u32>((_e412 + 127i)) << bitcast<u32>(23i)));
+                        let _e426 = bitcast<f32>((bitcast<u32>(((_e409 - (2i * _e412)) + 127i)) << bitcast<u32>(23i)));
+                        let _e427 = (((_e189 * _e419) * _e419) * _e426);
+                        let _e429 = select(340282350000000000000000000000000000000f, _e427, (_e427 < 340282350000000000000000000000000000000f));
+                        let _e434 = (((_e198 * _e419) * _e419) * _e426);
+                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
+                        phi_697_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                        phi_698_ = select(-340282350000000000000000000000000000000f, _e429, (_e429 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_696_ = 0f;
-                        phi_697_ = 1f;
+                        phi_697_ = 0f;
+                        phi_698_ = 1f;
                     }
-                    let _e439 = phi_696_;
-                    let _e441 = phi_697_;
+                    let _e440 = phi_697_;
+                    let _e442 = phi_698_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -487,866 +489,876 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e89), bitcast<f32>(_e93), bitcast<f32>(_e97));
-                    let _e446 = (_e241 % 3u);
-                    let _e447 = (_e446 < 3u);
-                    if _e447 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e90), bitcast<f32>(_e94), bitcast<f32>(_e98));
+                    let _e447 = (_e242 % 3u);
+                    let _e448 = (_e447 < 3u);
+                    if _e448 {
                     } else {
                         break;
                     }
-                    let _e449 = local_9[_e446];
-                    let _e450 = (_e240 % 3u);
-                    let _e451 = (_e450 < 3u);
-                    if _e451 {
+                    let _e450 = local_9[_e447];
+                    let _e451 = (_e241 % 3u);
+                    let _e452 = (_e451 < 3u);
+                    if _e452 {
                     } else {
                         break;
                     }
-                    let _e453 = local_9[_e450];
-                    let _e454 = (_e242 % 3u);
-                    let _e455 = (_e454 < 3u);
-                    if _e455 {
+                    let _e454 = local_9[_e451];
+                    let _e455 = (_e243 % 3u);
+                    let _e456 = (_e455 < 3u);
+                    if _e456 {
                     } else {
                         break;
                     }
-                    let _e457 = local_9[_e454];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    if _e447 {
+                    let _e458 = local_9[_e455];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e102), bitcast<f32>(_e106), bitcast<f32>(_e110));
+                    if _e448 {
                     } else {
                         break;
                     }
-                    let _e461 = local_8[_e446];
-                    if _e451 {
+                    let _e462 = local_8[_e447];
+                    if _e452 {
                     } else {
                         break;
                     }
-                    let _e463 = local_8[_e450];
-                    if _e455 {
+                    let _e464 = local_8[_e451];
+                    if _e456 {
                     } else {
                         break;
                     }
-                    let _e465 = local_8[_e454];
-                    phi_2976_ = false;
-                    phi_770_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e439);
-                    phi_773_ = type_49(type_47(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e79 == 0u)));
-                    phi_775_ = ((3u * _e79) + 1u);
-                    phi_777_ = (_e441 <= _e439);
-                    phi_779_ = 0u;
+                    let _e466 = local_8[_e455];
+                    phi_2974_ = false;
+                    phi_771_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e440);
+                    phi_774_ = type_49(type_47(array<f32, 3>(_e450, _e454, _e458), array<f32, 3>(_e462, _e464, _e466)), select(0u, 2147483648u, (_e80 == 0u)));
+                    phi_776_ = ((3u * _e80) + 1u);
+                    phi_778_ = (_e442 <= _e440);
+                    phi_780_ = 0u;
                     loop {
-                        let _e473 = phi_2976_;
-                        let _e475 = phi_770_;
-                        let _e477 = phi_773_;
-                        let _e479 = phi_775_;
-                        let _e481 = phi_777_;
-                        let _e483 = phi_779_;
-                        local_10 = _e475;
-                        if _e481 {
-                            phi_790_ = true;
+                        let _e474 = phi_2974_;
+                        let _e476 = phi_771_;
+                        let _e478 = phi_774_;
+                        let _e480 = phi_776_;
+                        let _e482 = phi_778_;
+                        let _e484 = phi_780_;
+                        local_10 = _e476;
+                        if _e482 {
+                            phi_791_ = true;
                         } else {
-                            phi_790_ = (_e483 > 0u);
+                            phi_791_ = (_e484 > 0u);
                         }
-                        let _e486 = phi_790_;
-                        if _e486 {
-                            let _e487 = (_e479 > 0u);
-                            if _e487 {
-                                if _e481 {
-                                    phi_876_ = _e477;
-                                    phi_877_ = _e481;
-                                    phi_878_ = _e483;
+                        let _e487 = phi_791_;
+                        if _e487 {
+                            let _e488 = (_e480 > 0u);
+                            if _e488 {
+                                if _e482 {
+                                    phi_877_ = _e478;
+                                    phi_878_ = _e482;
+                                    phi_879_ = _e484;
                                 } else {
-                                    let _e488 = (_e483 - 1u);
-                                    let _e489 = (_e488 % 128u);
-                                    let _e490 = (_e489 < 128u);
-                                    if _e490 {
+                                    let _e489 = (_e484 - 1u);
+                                    let _e490 = (_e489 % 128u);
+                                    let _e491 = (_e490 < 128u);
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e492 = local_6[_e489];
-                                    if _e490 {
+                                    let _e493 = local_6[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e494 = local_5[_e489];
-                                    if _e490 {
+                                    let _e495 = local_5[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e496 = local_4[_e489];
-                                    if _e490 {
+                                    let _e497 = local_4[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e498 = local_3[_e489];
-                                    if _e490 {
+                                    let _e499 = local_3[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e501 = local_2[_e489];
-                                    if _e490 {
+                                    let _e502 = local_2[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e503 = local_1[_e489];
-                                    if _e490 {
+                                    let _e504 = local_1[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e505 = local[_e489];
-                                    if _e490 {
+                                    let _e506 = local[_e490];
+                                    if _e491 {
                                     } else {
-                                        phi_3112_ = true;
+                                        phi_3110_ = true;
                                         break;
                                     }
-                                    let _e510 = local_7[_e489];
-                                    phi_876_ = type_49(type_47(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
-                                    phi_877_ = (_e510 <= _e475.member_1);
-                                    phi_878_ = _e488;
+                                    let _e511 = local_7[_e490];
+                                    phi_877_ = type_49(type_47(array<f32, 3>(_e495, _e497, _e499), array<f32, 3>(_e502, _e504, _e506)), _e493);
+                                    phi_878_ = (_e511 <= _e476.member_1);
+                                    phi_879_ = _e489;
                                 }
-                                let _e514 = phi_876_;
-                                let _e516 = phi_877_;
-                                let _e518 = phi_878_;
-                                if _e516 {
-                                    if ((_e514.member_1 & 2147483648u) != 0u) {
-                                        phi_896_ = _e475;
-                                        phi_899_ = type_4(0u, ((_e514.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e515 = phi_877_;
+                                let _e517 = phi_878_;
+                                let _e519 = phi_879_;
+                                if _e517 {
+                                    if ((_e515.member_1 & 2147483648u) != 0u) {
+                                        phi_897_ = _e476;
+                                        phi_900_ = type_4(0u, ((_e515.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e870 = phi_896_;
-                                            let _e872 = phi_899_;
-                                            local_11 = _e870;
-                                            if (_e872.member < _e872.member_1) {
-                                                phi_900_ = type_4((_e872.member + 1u), _e872.member_1);
-                                                phi_922_ = type_4(1u, _e872.member);
+                                            let _e871 = phi_897_;
+                                            let _e873 = phi_900_;
+                                            local_11 = _e871;
+                                            if (_e873.member < _e873.member_1) {
+                                                phi_901_ = type_4((_e873.member + 1u), _e873.member_1);
+                                                phi_923_ = type_4(1u, _e873.member);
                                             } else {
-                                                phi_900_ = _e872;
-                                                phi_922_ = type_4(0u, type_4().member_1);
+                                                phi_901_ = _e873;
+                                                phi_923_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e885 = phi_900_;
-                                            let _e887 = phi_922_;
-                                            let _e891 = (bitcast<i32>(_e887.member) != 0i);
-                                            if _e891 {
-                                                let _e892 = ((_e514.member_1 & 268435455u) + _e887.member_1);
-                                                let _e893 = (_e892 < _e81);
-                                                if _e893 {
-                                                    if _e893 {
+                                            let _e886 = phi_901_;
+                                            let _e888 = phi_923_;
+                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
+                                            if _e892 {
+                                                let _e893 = ((_e515.member_1 & 268435455u) + _e888.member_1);
+                                                let _e894 = (_e893 < _e82);
+                                                if _e894 {
+                                                    if _e894 {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e897 = global_2.member[_e892].member_1;
-                                                    phi_943_ = _e897;
+                                                    let _e898 = global_2.member[_e893].member_1;
+                                                    phi_944_ = _e898;
                                                 } else {
-                                                    phi_943_ = 4294967295u;
+                                                    phi_944_ = 4294967295u;
                                                 }
-                                                let _e899 = phi_943_;
-                                                if (_e892 >= _e81) {
-                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e900 = phi_944_;
+                                                if (_e893 >= _e82) {
+                                                    phi_1033_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e893 {
+                                                    if _e894 {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    if (_e446 < 9u) {
+                                                    if (_e447 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e906 = global_2.member[_e892].member[_e446];
-                                                    if (_e450 < 9u) {
+                                                    let _e907 = global_2.member[_e893].member[_e447];
+                                                    if (_e451 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e912 = global_2.member[_e892].member[_e450];
-                                                    if (_e454 < 9u) {
+                                                    let _e913 = global_2.member[_e893].member[_e451];
+                                                    if (_e455 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e918 = global_2.member[_e892].member[_e454];
-                                                    let _e920 = (3u + _e446);
-                                                    if (_e920 < 9u) {
+                                                    let _e919 = global_2.member[_e893].member[_e455];
+                                                    let _e921 = (3u + _e447);
+                                                    if (_e921 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e926 = global_2.member[_e892].member[_e920];
-                                                    let _e927 = (3u + _e450);
-                                                    if (_e927 < 9u) {
+                                                    let _e927 = global_2.member[_e893].member[_e921];
+                                                    let _e928 = (3u + _e451);
+                                                    if (_e928 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e933 = global_2.member[_e892].member[_e927];
-                                                    let _e934 = (3u + _e454);
-                                                    if (_e934 < 9u) {
+                                                    let _e934 = global_2.member[_e893].member[_e928];
+                                                    let _e935 = (3u + _e455);
+                                                    if (_e935 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e940 = global_2.member[_e892].member[_e934];
-                                                    let _e942 = (6u + _e446);
-                                                    if (_e942 < 9u) {
+                                                    let _e941 = global_2.member[_e893].member[_e935];
+                                                    let _e943 = (6u + _e447);
+                                                    if (_e943 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e948 = global_2.member[_e892].member[_e942];
-                                                    let _e949 = (6u + _e450);
-                                                    if (_e949 < 9u) {
+                                                    let _e949 = global_2.member[_e893].member[_e943];
+                                                    let _e950 = (6u + _e451);
+                                                    if (_e950 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e955 = global_2.member[_e892].member[_e949];
-                                                    let _e956 = (6u + _e454);
-                                                    if (_e956 < 9u) {
+                                                    let _e956 = global_2.member[_e893].member[_e950];
+                                                    let _e957 = (6u + _e455);
+                                                    if (_e957 < 9u) {
                                                     } else {
-                                                        phi_2970_ = true;
+                                                        phi_2968_ = true;
                                                         break;
                                                     }
-                                                    let _e962 = global_2.member[_e892].member[_e956];
-                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(_e906, _e912, _e918), array<f32, 3>(_e926, _e933, _e940), array<f32, 3>(_e948, _e955, _e962));
+                                                    let _e963 = global_2.member[_e893].member[_e957];
+                                                    phi_1033_ = array<array<f32, 3>, 3>(array<f32, 3>(_e907, _e913, _e919), array<f32, 3>(_e927, _e934, _e941), array<f32, 3>(_e949, _e956, _e963));
                                                 }
-                                                let _e966 = phi_1032_;
-                                                let _e974 = (_e966[0][2] - _e367);
-                                                let _e977 = (((_e966[0][0] - _e290) * _e391) - (_e974 * _e315));
-                                                let _e980 = (((_e966[0][1] - _e329) * _e391) - (_e974 * _e353));
-                                                let _e987 = (_e966[1][2] - _e367);
-                                                let _e990 = (((_e966[1][0] - _e290) * _e391) - (_e987 * _e315));
-                                                let _e993 = (((_e966[1][1] - _e329) * _e391) - (_e987 * _e353));
-                                                let _e1000 = (_e966[2][2] - _e367);
-                                                let _e1003 = (((_e966[2][0] - _e290) * _e391) - (_e1000 * _e315));
-                                                let _e1006 = (((_e966[2][1] - _e329) * _e391) - (_e1000 * _e353));
-                                                let _e1007 = (_e1003 * _e993);
-                                                let _e1008 = (_e1006 * _e990);
-                                                let _e1009 = (_e977 * _e1006);
-                                                let _e1010 = (_e980 * _e1003);
-                                                let _e1011 = (_e990 * _e980);
-                                                let _e1012 = (_e993 * _e977);
-                                                let _e1017 = (((_e1007 >= _e1008) && (_e1009 >= _e1010)) && (_e1011 >= _e1012));
-                                                if (_e1017 || (((_e1007 <= _e1008) && (_e1009 <= _e1010)) && (_e1011 <= _e1012))) {
-                                                    let _e1024 = select(-1f, 1f, _e1017);
-                                                    let _e1026 = ((_e1007 - _e1008) * _e1024);
-                                                    let _e1028 = select(0f, _e1026, (_e1026 > 0f));
-                                                    let _e1030 = ((_e1009 - _e1010) * _e1024);
-                                                    let _e1032 = select(0f, _e1030, (_e1030 > 0f));
-                                                    let _e1034 = ((_e1011 - _e1012) * _e1024);
-                                                    let _e1036 = select(0f, _e1034, (_e1034 > 0f));
-                                                    let _e1038 = ((_e1028 + _e1032) + _e1036);
-                                                    if (_e1038 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1860_ = type_22();
-                                                        phi_1861_ = true;
-                                                        phi_1862_ = false;
+                                                let _e967 = phi_1033_;
+                                                let _e975 = (_e967[0][2] - _e368);
+                                                let _e978 = (((_e967[0][0] - _e291) * _e392) - (_e975 * _e316));
+                                                let _e981 = (((_e967[0][1] - _e330) * _e392) - (_e975 * _e354));
+                                                let _e988 = (_e967[1][2] - _e368);
+                                                let _e991 = (((_e967[1][0] - _e291) * _e392) - (_e988 * _e316));
+                                                let _e994 = (((_e967[1][1] - _e330) * _e392) - (_e988 * _e354));
+                                                let _e1001 = (_e967[2][2] - _e368);
+                                                let _e1004 = (((_e967[2][0] - _e291) * _e392) - (_e1001 * _e316));
+                                                let _e1007 = (((_e967[2][1] - _e330) * _e392) - (_e1001 * _e354));
+                                                let _e1008 = (_e1004 * _e994);
+                                                let _e1009 = (_e1007 * _e991);
+                                                let _e1010 = (_e978 * _e1007);
+                                                let _e1011 = (_e981 * _e1004);
+                                                let _e1012 = (_e991 * _e981);
+                                                let _e1013 = (_e994 * _e978);
+                                                let _e1018 = (((_e1008 >= _e1009) && (_e1010 >= _e1011)) && (_e1012 >= _e1013));
+                                                if (_e1018 || (((_e1008 <= _e1009) && (_e1010 <= _e1011)) && (_e1012 <= _e1013))) {
+                                                    let _e1025 = select(-1f, 1f, _e1018);
+                                                    let _e1027 = ((_e1008 - _e1009) * _e1025);
+                                                    let _e1029 = select(0f, _e1027, (_e1027 > 0f));
+                                                    let _e1031 = ((_e1010 - _e1011) * _e1025);
+                                                    let _e1033 = select(0f, _e1031, (_e1031 > 0f));
+                                                    let _e1035 = ((_e1012 - _e1013) * _e1025);
+                                                    let _e1037 = select(0f, _e1035, (_e1035 > 0f));
+                                                    let _e1039 = ((_e1029 + _e1033) + _e1037);
+                                                    if (_e1039 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1858_ = type_22();
+                                                        phi_1859_ = true;
+                                                        phi_1860_ = false;
                                                     } else {
-                                                        let _e1041 = select(_e990, _e977, (_e977 < _e990));
-                                                        if (select(_e1003, _e1041, (_e1041 < _e1003)) > 0f) {
-                                                            phi_1149_ = true;
+                                                        let _e1042 = select(_e991, _e978, (_e978 < _e991));
+                                                        if (select(_e1004, _e1042, (_e1042 < _e1004)) > 0f) {
+                                                            phi_1150_ = true;
                                                         } else {
-                                                            let _e1046 = select(_e990, _e977, (_e977 > _e990));
-                                                            phi_1149_ = (select(_e1003, _e1046, (_e1046 > _e1003)) < 0f);
+                                                            let _e1047 = select(_e991, _e978, (_e978 > _e991));
+                                                            phi_1150_ = (select(_e1004, _e1047, (_e1047 > _e1004)) < 0f);
                                                         }
-                                                        let _e1051 = phi_1149_;
-                                                        if _e1051 {
-                                                            phi_1857_ = type_22();
-                                                            phi_1858_ = true;
-                                                            phi_1859_ = false;
+                                                        let _e1052 = phi_1150_;
+                                                        if _e1052 {
+                                                            phi_1855_ = type_22();
+                                                            phi_1856_ = true;
+                                                            phi_1857_ = false;
                                                         } else {
-                                                            let _e1053 = select(_e993, _e980, (_e980 < _e993));
-                                                            if (select(_e1006, _e1053, (_e1053 < _e1006)) > 0f) {
-                                                                phi_1178_ = true;
+                                                            let _e1054 = select(_e994, _e981, (_e981 < _e994));
+                                                            if (select(_e1007, _e1054, (_e1054 < _e1007)) > 0f) {
+                                                                phi_1179_ = true;
                                                             } else {
-                                                                let _e1058 = select(_e993, _e980, (_e980 > _e993));
-                                                                phi_1178_ = (select(_e1006, _e1058, (_e1058 > _e1006)) < 0f);
+                                                                let _e1059 = select(_e994, _e981, (_e981 > _e994));
+                                                                phi_1179_ = (select(_e1007, _e1059, (_e1059 > _e1007)) < 0f);
                                                             }
-                                                            let _e1063 = phi_1178_;
-                                                            if _e1063 {
-                                                                phi_1855_ = type_22();
-                                                                phi_1856_ = false;
+                                                            let _e1064 = phi_1179_;
+                                                            if _e1064 {
+                                                                phi_1853_ = type_22();
+                                                                phi_1854_ = false;
                                                             } else {
-                                                                let _e1065 = select(_e966[1][0], _e966[0][0], (_e966[0][0] < _e966[1][0]));
-                                                                let _e1069 = select(_e966[1][0], _e966[0][0], (_e966[0][0] > _e966[1][0]));
-                                                                let _e1073 = select(_e966[1][1], _e966[0][1], (_e966[0][1] < _e966[1][1]));
-                                                                let _e1077 = select(_e966[1][1], _e966[0][1], (_e966[0][1] > _e966[1][1]));
-                                                                let _e1081 = select(_e966[1][2], _e966[0][2], (_e966[0][2] < _e966[1][2]));
-                                                                let _e1085 = select(_e966[1][2], _e966[0][2], (_e966[0][2] > _e966[1][2]));
-                                                                let _e1090 = ((select(_e966[2][0], _e1065, (_e1065 < _e966[2][0])) - _e313) * _e318);
-                                                                let _e1091 = ((select(_e966[2][0], _e1069, (_e1069 > _e966[2][0])) - _e314) * _e318);
-                                                                let _e1094 = ((select(_e966[2][1], _e1073, (_e1073 < _e966[2][1])) - _e351) * _e356);
-                                                                let _e1095 = ((select(_e966[2][1], _e1077, (_e1077 > _e966[2][1])) - _e352) * _e356);
-                                                                let _e1098 = ((select(_e966[2][2], _e1081, (_e1081 < _e966[2][2])) - _e389) * _e394);
-                                                                let _e1099 = ((select(_e966[2][2], _e1085, (_e1085 > _e966[2][2])) - _e390) * _e394);
-                                                                let _e1101 = select(_e1099, _e1098, (_e1098 < _e1099));
-                                                                let _e1103 = select(_e1099, _e1098, (_e1098 > _e1099));
-                                                                let _e1105 = select(_e1091, _e1090, (_e1090 < _e1091));
-                                                                let _e1107 = select(_e1095, _e1094, (_e1094 < _e1095));
-                                                                let _e1109 = select(_e1107, _e1105, (_e1105 > _e1107));
-                                                                let _e1111 = select(_e1101, _e1109, (_e1109 > _e1101));
-                                                                let _e1113 = select(_e1091, _e1090, (_e1090 > _e1091));
-                                                                let _e1115 = select(_e1095, _e1094, (_e1094 > _e1095));
-                                                                let _e1117 = select(_e1115, _e1113, (_e1113 < _e1115));
-                                                                let _e1119 = select(_e1103, _e1117, (_e1117 < _e1103));
-                                                                let _e1120 = -(_e1101);
-                                                                let _e1126 = select(_e441, _e1111, (_e1111 > _e441));
-                                                                if (_e1126 > (_e1119 + (select(_e1120, _e1103, (_e1103 > _e1120)) * 0.0000019073523f))) {
-                                                                    phi_1850_ = type_22();
-                                                                    phi_1851_ = true;
+                                                                let _e1066 = select(_e967[1][0], _e967[0][0], (_e967[0][0] < _e967[1][0]));
+                                                                let _e1070 = select(_e967[1][0], _e967[0][0], (_e967[0][0] > _e967[1][0]));
+                                                                let _e1074 = select(_e967[1][1], _e967[0][1], (_e967[0][1] < _e967[1][1]));
+                                                                let _e1078 = select(_e967[1][1], _e967[0][1], (_e967[0][1] > _e967[1][1]));
+                                                                let _e1082 = select(_e967[1][2], _e967[0][2], (_e967[0][2] < _e967[1][2]));
+                                                                let _e1086 = select(_e967[1][2], _e967[0][2], (_e967[0][2] > _e967[1][2]));
+                                                                let _e1091 = ((select(_e967[2][0], _e1066, (_e1066 < _e967[2][0])) - _e314) * _e319);
+                                                                let _e1092 = ((select(_e967[2][0], _e1070, (_e1070 > _e967[2][0])) - _e315) * _e319);
+                                                                let _e1095 = ((select(_e967[2][1], _e1074, (_e1074 < _e967[2][1])) - _e352) * _e357);
+                                                                let _e1096 = ((select(_e967[2][1], _e1078, (_e1078 > _e967[2][1])) - _e353) * _e357);
+                                                                let _e1099 = ((select(_e967[2][2], _e1082, (_e1082 < _e967[2][2])) - _e390) * _e395);
+                                                                let _e1100 = ((select(_e967[2][2], _e1086, (_e1086 > _e967[2][2])) - _e391) * _e395);
+                                                                let _e1102 = select(_e1100, _e1099, (_e1099 < _e1100));
+                                                                let _e1104 = select(_e1100, _e1099, (_e1099 > _e1100));
+                                                                let _e1106 = select(_e1092, _e1091, (_e1091 < _e1092));
+                                                                let _e1108 = select(_e1096, _e1095, (_e1095 < _e1096));
+                                                                let _e1110 = select(_e1108, _e1106, (_e1106 > _e1108));
+                                                                let _e1112 = select(_e1102, _e1110, (_e1110 > _e1102));
+                                                                let _e1114 = select(_e1092, _e1091, (_e1091 > _e1092));
+                                                                let _e1116 = select(_e1096, _e1095, (_e1095 > _e1096));
+                                                                let _e1118 = select(_e1116, _e1114, (_e1114 < _e1116));
+                                                                let _e1120 = select(_e1104, _e1118, (_e1118 < _e1104));
+                                                                let _e1121 = -(_e1102);
+                                                                let _e1127 = select(_e442, _e1112, (_e1112 > _e442));
+                                                                if (_e1127 > (_e1120 + (select(_e1121, _e1104, (_e1104 > _e1121)) * 0.0000019073523f))) {
+                                                                    phi_1848_ = type_22();
+                                                                    phi_1849_ = true;
                                                                 } else {
-                                                                    let _e1128 = (_e1126 > _e870.member_1);
-                                                                    if _e1128 {
-                                                                        phi_1849_ = type_22();
+                                                                    let _e1129 = (_e1127 > _e871.member_1);
+                                                                    if _e1129 {
+                                                                        phi_1847_ = type_22();
                                                                     } else {
-                                                                        let _e1129 = vec3<f32>(_e966[0][0], _e966[0][1], _e966[0][2]);
-                                                                        let _e1130 = vec3<f32>(_e966[1][0], _e966[1][1], _e966[1][2]);
-                                                                        let _e1131 = vec3<f32>(_e966[2][0], _e966[2][1], _e966[2][2]);
-                                                                        let _e1132 = (_e966[1][0] - _e966[0][0]);
-                                                                        let _e1133 = (_e966[1][1] - _e966[0][1]);
-                                                                        let _e1134 = (_e966[1][2] - _e966[0][2]);
-                                                                        let _e1135 = vec3<f32>(_e1132, _e1133, _e1134);
-                                                                        let _e1136 = (_e966[2][0] - _e966[1][0]);
-                                                                        let _e1137 = (_e966[2][1] - _e966[1][1]);
-                                                                        let _e1138 = (_e966[2][2] - _e966[1][2]);
-                                                                        let _e1139 = vec3<f32>(_e1136, _e1137, _e1138);
-                                                                        let _e1140 = (_e966[0][0] - _e966[2][0]);
-                                                                        let _e1141 = (_e966[0][1] - _e966[2][1]);
-                                                                        let _e1142 = (_e966[0][2] - _e966[2][2]);
-                                                                        let _e1143 = vec3<f32>(_e1140, _e1141, _e1142);
-                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
-                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
-                                                                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
-                                                                        let _e1154 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
-                                                                        let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
-                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
-                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
-                                                                        let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
-                                                                        let _e1172 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
-                                                                        let _e1175 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                        let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
-                                                                        let _e1180 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
-                                                                        let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
-                                                                        let _e1184 = select(_e1169, _e1156, (_e1156 > _e1169));
-                                                                        let _e1186 = select(_e1182, _e1184, (_e1184 > _e1182));
-                                                                        if (_e1156 == _e1186) {
-                                                                            phi_1579_ = _e993;
-                                                                            phi_1580_ = _e990;
-                                                                            phi_1581_ = _e980;
-                                                                            phi_1582_ = _e977;
-                                                                            phi_1583_ = _e1129;
-                                                                            phi_1584_ = _e1143;
-                                                                            phi_1585_ = _e1139;
-                                                                            phi_1586_ = _e1135;
+                                                                        let _e1130 = vec3<f32>(_e967[0][0], _e967[0][1], _e967[0][2]);
+                                                                        let _e1131 = vec3<f32>(_e967[1][0], _e967[1][1], _e967[1][2]);
+                                                                        let _e1132 = vec3<f32>(_e967[2][0], _e967[2][1], _e967[2][2]);
+                                                                        let _e1133 = (_e967[1][0] - _e967[0][0]);
+                                                                        let _e1134 = (_e967[1][1] - _e967[0][1]);
+                                                                        let _e1135 = (_e967[1][2] - _e967[0][2]);
+                                                                        let _e1136 = vec3<f32>(_e1133, _e1134, _e1135);
+                                                                        let _e1137 = (_e967[2][0] - _e967[1][0]);
+                                                                        let _e1138 = (_e967[2][1] - _e967[1][1]);
+                                                                        let _e1139 = (_e967[2][2] - _e967[1][2]);
+                                                                        let _e1140 = vec3<f32>(_e1137, _e1138, _e1139);
+                                                                        let _e1141 = (_e967[0][0] - _e967[2][0]);
+                                                                        let _e1142 = (_e967[0][1] - _e967[2][1]);
+                                                                        let _e1143 = (_e967[0][2] - _e967[2][2]);
+                                                                        let _e1144 = vec3<f32>(_e1141, _e1142, _e1143);
+                                                                        let _e1147 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                        let _e1150 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                        let _e1152 = select(_e1150, _e1147, (_e1147 > _e1150));
+                                                                        let _e1155 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
+                                                                        let _e1157 = select(_e1155, _e1152, (_e1152 > _e1155));
+                                                                        let _e1160 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
+                                                                        let _e1163 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
+                                                                        let _e1165 = select(_e1163, _e1160, (_e1160 > _e1163));
+                                                                        let _e1168 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
+                                                                        let _e1170 = select(_e1168, _e1165, (_e1165 > _e1168));
+                                                                        let _e1173 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
+                                                                        let _e1176 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
+                                                                        let _e1178 = select(_e1176, _e1173, (_e1173 > _e1176));
+                                                                        let _e1181 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
+                                                                        let _e1183 = select(_e1181, _e1178, (_e1178 > _e1181));
+                                                                        let _e1185 = select(_e1170, _e1157, (_e1157 > _e1170));
+                                                                        let _e1187 = select(_e1183, _e1185, (_e1185 > _e1183));
+                                                                        if (_e1157 == _e1187) {
+                                                                            phi_1580_ = _e994;
+                                                                            phi_1581_ = _e991;
+                                                                            phi_1582_ = _e981;
+                                                                            phi_1583_ = _e978;
+                                                                            phi_1584_ = _e1130;
+                                                                            phi_1585_ = _e1144;
+                                                                            phi_1586_ = _e1140;
+                                                                            phi_1587_ = _e1136;
                                                                         } else {
-                                                                            let _e1188 = (_e1169 == _e1186);
-                                                                            let _e1193 = vec3(_e1188);
-                                                                            phi_1579_ = select(_e980, _e1006, _e1188);
-                                                                            phi_1580_ = select(_e977, _e1003, _e1188);
-                                                                            phi_1581_ = select(_e1006, _e993, _e1188);
-                                                                            phi_1582_ = select(_e1003, _e990, _e1188);
-                                                                            phi_1583_ = select(_e1131, _e1130, _e1193);
-                                                                            phi_1584_ = select(_e1139, _e1135, _e1193);
-                                                                            phi_1585_ = select(_e1135, _e1143, _e1193);
-                                                                            phi_1586_ = select(_e1143, _e1139, _e1193);
+                                                                            let _e1189 = (_e1170 == _e1187);
+                                                                            let _e1194 = vec3(_e1189);
+                                                                            phi_1580_ = select(_e981, _e1007, _e1189);
+                                                                            phi_1581_ = select(_e978, _e1004, _e1189);
+                                                                            phi_1582_ = select(_e1007, _e994, _e1189);
+                                                                            phi_1583_ = select(_e1004, _e991, _e1189);
+                                                                            phi_1584_ = select(_e1132, _e1131, _e1194);
+                                                                            phi_1585_ = select(_e1140, _e1136, _e1194);
+                                                                            phi_1586_ = select(_e1136, _e1144, _e1194);
+                                                                            phi_1587_ = select(_e1144, _e1140, _e1194);
                                                                         }
-                                                                        let _e1199 = phi_1579_;
-                                                                        let _e1201 = phi_1580_;
-                                                                        let _e1203 = phi_1581_;
-                                                                        let _e1205 = phi_1582_;
-                                                                        let _e1207 = phi_1583_;
-                                                                        let _e1209 = phi_1584_;
-                                                                        let _e1211 = phi_1585_;
-                                                                        let _e1213 = phi_1586_;
-                                                                        let _e1220 = ((_e1211.y * _e1209.z) - (_e1209.y * _e1211.z));
-                                                                        let _e1225 = ((_e1211.z * _e1209.x) - (_e1209.z * _e1211.x));
-                                                                        let _e1228 = ((_e1211.x * _e1209.y) - (_e1209.x * _e1211.y));
-                                                                        if (_e1028 >= _e1032) {
-                                                                            phi_1617_ = select(true, false, (_e1028 >= _e1036));
+                                                                        let _e1200 = phi_1580_;
+                                                                        let _e1202 = phi_1581_;
+                                                                        let _e1204 = phi_1582_;
+                                                                        let _e1206 = phi_1583_;
+                                                                        let _e1208 = phi_1584_;
+                                                                        let _e1210 = phi_1585_;
+                                                                        let _e1212 = phi_1586_;
+                                                                        let _e1214 = phi_1587_;
+                                                                        let _e1221 = ((_e1212.y * _e1210.z) - (_e1210.y * _e1212.z));
+                                                                        let _e1226 = ((_e1212.z * _e1210.x) - (_e1210.z * _e1212.x));
+                                                                        let _e1229 = ((_e1212.x * _e1210.y) - (_e1210.x * _e1212.y));
+                                                                        if (_e1029 >= _e1033) {
+                                                                            phi_1618_ = select(true, false, (_e1029 >= _e1037));
                                                                         } else {
-                                                                            phi_1617_ = true;
+                                                                            phi_1618_ = true;
                                                                         }
-                                                                        let _e1233 = phi_1617_;
-                                                                        if _e1233 {
-                                                                            phi_1626_ = select(_e1131, _e1130, vec3((_e1032 >= _e1036)));
+                                                                        let _e1234 = phi_1618_;
+                                                                        if _e1234 {
+                                                                            phi_1627_ = select(_e1132, _e1131, vec3((_e1033 >= _e1037)));
                                                                         } else {
-                                                                            phi_1626_ = _e1129;
+                                                                            phi_1627_ = _e1130;
                                                                         }
-                                                                        let _e1238 = phi_1626_;
-                                                                        let _e1243 = (((_e1220 * _e315) + (_e1225 * _e353)) + (_e1228 * _e391));
-                                                                        let _e1254 = (((_e1220 * (_e1238.x - _e290)) + (_e1225 * (_e1238.y - _e329))) + (_e1228 * (_e1238.z - _e367)));
-                                                                        let _e1256 = (_e1201 - _e1205);
-                                                                        let _e1257 = (_e1199 - _e1203);
-                                                                        let _e1265 = (-(((_e1205 * _e1256) + (_e1203 * _e1257))) / ((_e1256 * _e1256) + (_e1257 * _e1257)));
+                                                                        let _e1239 = phi_1627_;
+                                                                        let _e1250 = (((_e1221 * (_e1239.x - _e291)) + (_e1226 * (_e1239.y - _e330))) + (_e1229 * (_e1239.z - _e368)));
+                                                                        let _e1255 = (((_e1221 * _e316) + (_e1226 * _e354)) + (_e1229 * _e392));
+                                                                        let _e1256 = (_e1202 - _e1206);
+                                                                        let _e1257 = (_e1200 - _e1204);
+                                                                        let _e1265 = (-(((_e1206 * _e1256) + (_e1204 * _e1257))) / ((_e1256 * _e1256) + (_e1257 * _e1257)));
                                                                         let _e1267 = select(1f, _e1265, (_e1265 < 1f));
                                                                         let _e1269 = select(0f, _e1267, (_e1267 > 0f));
-                                                                        let _e1282 = ((_e1207.x + (_e1213.x * _e1269)) - _e290);
-                                                                        let _e1283 = ((_e1207.y + (_e1213.y * _e1269)) - _e329);
-                                                                        let _e1284 = ((_e1207.z + (_e1213.z * _e1269)) - _e367);
-                                                                        let _e1285 = (_e1284 / _e391);
+                                                                        let _e1282 = ((_e1208.x + (_e1214.x * _e1269)) - _e291);
+                                                                        let _e1283 = ((_e1208.y + (_e1214.y * _e1269)) - _e330);
+                                                                        let _e1284 = ((_e1208.z + (_e1214.z * _e1269)) - _e368);
+                                                                        let _e1285 = (_e1284 / _e392);
                                                                         let _e1297 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
                                                                         let _e1300 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
                                                                         let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
                                                                         let _e1305 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
                                                                         let _e1307 = select(_e1305, _e1302, (_e1302 > _e1305));
-                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
-                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
+                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
+                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
                                                                         let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
-                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1220 * _e1282) + (_e1225 * _e1283)) + (_e1228 * _e1284)) - _e1254)) & 2147483647u)) <= ((0.0000009536743f * select(_e1186, _e1307, (_e1307 > _e1186))) * select(_e1321, _e1318, (_e1318 > _e1321)))) {
-                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1211.x) & 2147483647u));
-                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1211.y) & 2147483647u));
+                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1229) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1221 * _e1282) + (_e1226 * _e1283)) + (_e1229 * _e1284)) - _e1250)) & 2147483647u)) <= ((0.0000009536743f * select(_e1187, _e1307, (_e1307 > _e1187))) * select(_e1321, _e1318, (_e1318 > _e1321)))) {
+                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1212.x) & 2147483647u));
+                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1212.y) & 2147483647u));
                                                                             let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
-                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1211.z) & 2147483647u));
-                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1209.x) & 2147483647u));
-                                                                            let _e1348 = bitcast<f32>((bitcast<u32>(_e1209.y) & 2147483647u));
+                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1212.z) & 2147483647u));
+                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1210.x) & 2147483647u));
+                                                                            let _e1348 = bitcast<f32>((bitcast<u32>(_e1210.y) & 2147483647u));
                                                                             let _e1350 = select(_e1348, _e1345, (_e1345 > _e1348));
-                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1209.z) & 2147483647u));
-                                                                            phi_1793_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u)) > ((0.0000038146973f * select(_e1339, _e1336, (_e1336 > _e1339))) * select(_e1353, _e1350, (_e1350 > _e1353)))));
-                                                                        } else {
-                                                                            phi_1793_ = true;
-                                                                        }
-                                                                        let _e1360 = phi_1793_;
-                                                                        if _e1360 {
-                                                                            let _e1371 = ((((_e1220 * (_e1282 - (_e315 * _e1285))) + (_e1225 * (_e1283 - (_e353 * _e1285)))) + (_e1228 * (_e1284 - _e1284))) / _e1243);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1371) & 2147483647u)) <= _e1186) {
-                                                                                phi_1817_ = (_e1285 + _e1371);
+                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1210.z) & 2147483647u));
+                                                                            let _e1357 = (bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u)) > ((0.0000038146973f * select(_e1339, _e1336, (_e1336 > _e1339))) * select(_e1353, _e1350, (_e1350 > _e1353))));
+                                                                            if _e1357 {
+                                                                                phi_1792_ = (_e1250 / _e1255);
                                                                             } else {
-                                                                                phi_1817_ = _e1285;
+                                                                                phi_1792_ = f32();
                                                                             }
-                                                                            let _e1378 = phi_1817_;
-                                                                            phi_1818_ = _e1378;
+                                                                            let _e1360 = phi_1792_;
+                                                                            phi_1794_ = _e1360;
+                                                                            phi_1795_ = select(true, false, _e1357);
                                                                         } else {
-                                                                            phi_1818_ = (_e1254 / _e1243);
+                                                                            phi_1794_ = f32();
+                                                                            phi_1795_ = true;
                                                                         }
-                                                                        let _e1380 = phi_1818_;
-                                                                        let _e1382 = select(_e1119, _e1380, (_e1380 < _e1119));
-                                                                        let _e1384 = select(_e1111, _e1382, (_e1382 > _e1111));
-                                                                        if (_e1384 >= _e441) {
-                                                                            let _e1386 = (_e1384 <= _e870.member_1);
-                                                                            if _e1386 {
-                                                                                let _e1387 = (1f / _e1038);
-                                                                                phi_1841_ = type_22(_e1384, (_e1032 * _e1387), (_e1036 * _e1387), _e899);
+                                                                        let _e1363 = phi_1794_;
+                                                                        let _e1365 = phi_1795_;
+                                                                        if _e1365 {
+                                                                            let _e1373 = (((_e1221 * (_e1282 - (_e316 * _e1285))) + (_e1226 * (_e1283 - (_e354 * _e1285)))) / _e1255);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u)) <= _e1187) {
+                                                                                phi_1815_ = (_e1285 + _e1373);
                                                                             } else {
-                                                                                phi_1841_ = type_22();
+                                                                                phi_1815_ = _e1285;
                                                                             }
-                                                                            let _e1392 = phi_1841_;
-                                                                            phi_1843_ = _e1392;
-                                                                            phi_1844_ = select(true, false, _e1386);
+                                                                            let _e1380 = phi_1815_;
+                                                                            phi_1816_ = _e1380;
                                                                         } else {
-                                                                            phi_1843_ = type_22();
-                                                                            phi_1844_ = true;
+                                                                            phi_1816_ = _e1363;
                                                                         }
-                                                                        let _e1395 = phi_1843_;
-                                                                        let _e1397 = phi_1844_;
-                                                                        if _e1397 {
-                                                                            phi_1848_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1382 = phi_1816_;
+                                                                        let _e1384 = select(_e1120, _e1382, (_e1382 < _e1120));
+                                                                        let _e1386 = select(_e1112, _e1384, (_e1384 > _e1112));
+                                                                        if (_e1386 >= _e442) {
+                                                                            let _e1388 = (_e1386 <= _e871.member_1);
+                                                                            if _e1388 {
+                                                                                let _e1389 = (1f / _e1039);
+                                                                                phi_1839_ = type_22(_e1386, (_e1033 * _e1389), (_e1037 * _e1389), _e900);
+                                                                            } else {
+                                                                                phi_1839_ = type_22();
+                                                                            }
+                                                                            let _e1394 = phi_1839_;
+                                                                            phi_1841_ = _e1394;
+                                                                            phi_1842_ = select(true, false, _e1388);
                                                                         } else {
-                                                                            phi_1848_ = _e1395;
+                                                                            phi_1841_ = type_22();
+                                                                            phi_1842_ = true;
                                                                         }
-                                                                        let _e1399 = phi_1848_;
-                                                                        phi_1849_ = _e1399;
+                                                                        let _e1397 = phi_1841_;
+                                                                        let _e1399 = phi_1842_;
+                                                                        if _e1399 {
+                                                                            phi_1846_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1846_ = _e1397;
+                                                                        }
+                                                                        let _e1401 = phi_1846_;
+                                                                        phi_1847_ = _e1401;
                                                                     }
-                                                                    let _e1401 = phi_1849_;
-                                                                    phi_1850_ = _e1401;
-                                                                    phi_1851_ = _e1128;
+                                                                    let _e1403 = phi_1847_;
+                                                                    phi_1848_ = _e1403;
+                                                                    phi_1849_ = _e1129;
                                                                 }
-                                                                let _e1403 = phi_1850_;
-                                                                let _e1405 = phi_1851_;
-                                                                phi_1855_ = _e1403;
-                                                                phi_1856_ = _e1405;
+                                                                let _e1405 = phi_1848_;
+                                                                let _e1407 = phi_1849_;
+                                                                phi_1853_ = _e1405;
+                                                                phi_1854_ = _e1407;
                                                             }
-                                                            let _e1407 = phi_1855_;
-                                                            let _e1409 = phi_1856_;
-                                                            phi_1857_ = _e1407;
-                                                            phi_1858_ = _e1063;
-                                                            phi_1859_ = _e1409;
+                                                            let _e1409 = phi_1853_;
+                                                            let _e1411 = phi_1854_;
+                                                            phi_1855_ = _e1409;
+                                                            phi_1856_ = _e1064;
+                                                            phi_1857_ = _e1411;
                                                         }
-                                                        let _e1411 = phi_1857_;
-                                                        let _e1413 = phi_1858_;
-                                                        let _e1415 = phi_1859_;
-                                                        phi_1860_ = _e1411;
-                                                        phi_1861_ = _e1413;
-                                                        phi_1862_ = _e1415;
+                                                        let _e1413 = phi_1855_;
+                                                        let _e1415 = phi_1856_;
+                                                        let _e1417 = phi_1857_;
+                                                        phi_1858_ = _e1413;
+                                                        phi_1859_ = _e1415;
+                                                        phi_1860_ = _e1417;
                                                     }
-                                                    let _e1417 = phi_1860_;
-                                                    let _e1419 = phi_1861_;
-                                                    let _e1421 = phi_1862_;
-                                                    phi_1870_ = _e1417;
-                                                    phi_1871_ = select(_e1421, true, _e1419);
+                                                    let _e1419 = phi_1858_;
+                                                    let _e1421 = phi_1859_;
+                                                    let _e1423 = phi_1860_;
+                                                    phi_1868_ = _e1419;
+                                                    phi_1869_ = select(_e1423, true, _e1421);
                                                 } else {
-                                                    phi_1870_ = type_22();
-                                                    phi_1871_ = true;
+                                                    phi_1868_ = type_22();
+                                                    phi_1869_ = true;
                                                 }
-                                                let _e1424 = phi_1870_;
-                                                let _e1426 = phi_1871_;
-                                                if _e1426 {
-                                                    phi_1875_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1426 = phi_1868_;
+                                                let _e1428 = phi_1869_;
+                                                if _e1428 {
+                                                    phi_1873_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1875_ = _e1424;
+                                                    phi_1873_ = _e1426;
                                                 }
-                                                let _e1428 = phi_1875_;
-                                                if (_e1428.member_3 != 4294967295u) {
-                                                    if (_e899 != 4294967295u) {
-                                                        if (_e1428.member < _e870.member.member) {
-                                                            phi_1901_ = true;
+                                                let _e1430 = phi_1873_;
+                                                if (_e1430.member_3 != 4294967295u) {
+                                                    if (_e900 != 4294967295u) {
+                                                        if (_e1430.member < _e871.member.member) {
+                                                            phi_1899_ = true;
                                                         } else {
-                                                            if (_e1428.member == _e870.member.member) {
-                                                                phi_1900_ = (_e1428.member_3 < _e870.member.member_3);
+                                                            if (_e1430.member == _e871.member.member) {
+                                                                phi_1898_ = (_e1430.member_3 < _e871.member.member_3);
                                                             } else {
-                                                                phi_1900_ = false;
+                                                                phi_1898_ = false;
                                                             }
-                                                            let _e1441 = phi_1900_;
-                                                            phi_1901_ = _e1441;
+                                                            let _e1443 = phi_1898_;
+                                                            phi_1899_ = _e1443;
                                                         }
-                                                        let _e1443 = phi_1901_;
-                                                        if _e1443 {
-                                                            phi_1907_ = type_33(_e1428, _e1428.member);
+                                                        let _e1445 = phi_1899_;
+                                                        if _e1445 {
+                                                            phi_1905_ = type_33(_e1430, _e1430.member);
                                                         } else {
-                                                            phi_1907_ = _e870;
+                                                            phi_1905_ = _e871;
                                                         }
-                                                        let _e1446 = phi_1907_;
-                                                        phi_1908_ = _e1446;
+                                                        let _e1448 = phi_1905_;
+                                                        phi_1906_ = _e1448;
                                                     } else {
-                                                        phi_1908_ = _e870;
+                                                        phi_1906_ = _e871;
                                                     }
-                                                    let _e1448 = phi_1908_;
-                                                    phi_1909_ = _e1448;
+                                                    let _e1450 = phi_1906_;
+                                                    phi_1907_ = _e1450;
                                                 } else {
-                                                    phi_1909_ = _e870;
+                                                    phi_1907_ = _e871;
                                                 }
-                                                let _e1450 = phi_1909_;
-                                                phi_897_ = _e1450;
+                                                let _e1452 = phi_1907_;
+                                                phi_898_ = _e1452;
                                             } else {
-                                                phi_897_ = type_33();
+                                                phi_898_ = type_33();
                                             }
-                                            let _e1452 = phi_897_;
+                                            let _e1454 = phi_898_;
                                             continue;
                                             continuing {
-                                                phi_896_ = _e1452;
-                                                phi_899_ = _e885;
-                                                phi_2970_ = _e473;
-                                                break if !(_e891);
+                                                phi_897_ = _e1454;
+                                                phi_900_ = _e886;
+                                                phi_2968_ = _e474;
+                                                break if !(_e892);
                                             }
                                         }
-                                        let _e1455 = phi_2970_;
-                                        phi_3112_ = _e1455;
-                                        if _e1455 {
+                                        let _e1457 = phi_2968_;
+                                        phi_3110_ = _e1457;
+                                        if _e1457 {
                                             break;
                                         }
-                                        phi_3116_ = _e1455;
-                                        let _e1640 = local_11;
-                                        phi_2858_ = _e1640;
-                                        phi_2859_ = _e514;
-                                        phi_2860_ = false;
-                                        phi_2861_ = _e518;
+                                        phi_3114_ = _e1457;
+                                        let _e1644 = local_11;
+                                        phi_2856_ = _e1644;
+                                        phi_2857_ = _e515;
+                                        phi_2858_ = false;
+                                        phi_2859_ = _e519;
                                     } else {
-                                        let _e527 = (_e514.member_1 < _e79);
-                                        if _e527 {
-                                            if _e527 {
+                                        let _e528 = (_e515.member_1 < _e80);
+                                        if _e528 {
+                                            if _e528 {
                                             } else {
-                                                phi_3112_ = true;
+                                                phi_3110_ = true;
                                                 break;
                                             }
-                                            let _e529 = global_5.member[_e514.member_1];
-                                            phi_1928_ = _e529;
+                                            let _e530 = global_5.member[_e515.member_1];
+                                            phi_1926_ = _e530;
                                         } else {
-                                            phi_1928_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1926_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e531 = phi_1928_;
-                                        let _e546 = ((10u * _e241) & 31u);
-                                        let _e549 = ((_e531.member[0] >> bitcast<u32>(_e546)) & 1023u);
-                                        let _e554 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
-                                        let _e560 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e549) * _e554)) ^ _e113)));
-                                        let _e564 = select(select(_e514.member.member_1[0], _e560, (_e560 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e549 == 1023u));
-                                        let _e566 = ((10u * _e240) & 31u);
-                                        let _e569 = ((_e531.member[0] >> bitcast<u32>(_e566)) & 1023u);
-                                        let _e574 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
-                                        let _e580 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e569) * _e574)) ^ _e113)));
-                                        let _e584 = select(select(_e514.member.member_1[1], _e580, (_e580 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e569 == 1023u));
-                                        let _e586 = ((10u * _e242) & 31u);
-                                        let _e589 = ((_e531.member[0] >> bitcast<u32>(_e586)) & 1023u);
-                                        let _e594 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
-                                        let _e600 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e589) * _e594)) ^ _e113)));
-                                        let _e604 = select(select(_e514.member.member_1[2], _e600, (_e600 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e589 == 1023u));
-                                        let _e607 = ((_e531.member[1] >> bitcast<u32>(_e546)) & 1023u);
-                                        let _e613 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e607) * _e554)) ^ _e113)));
-                                        let _e617 = select(select(_e514.member.member_1[0], _e613, (_e613 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e607 == 1023u));
-                                        let _e620 = ((_e531.member[1] >> bitcast<u32>(_e566)) & 1023u);
-                                        let _e626 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e620) * _e574)) ^ _e113)));
-                                        let _e630 = select(select(_e514.member.member_1[1], _e626, (_e626 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e620 == 1023u));
-                                        let _e633 = ((_e531.member[1] >> bitcast<u32>(_e586)) & 1023u);
-                                        let _e639 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e633) * _e594)) ^ _e113)));
-                                        let _e643 = select(select(_e514.member.member_1[2], _e639, (_e639 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e633 == 1023u));
-                                        let _e649 = ((_e531.member_1[0] >> bitcast<u32>(_e546)) & 1023u);
-                                        let _e655 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e554)) ^ _e113)));
-                                        let _e659 = select(select(_e514.member.member_1[0], _e655, (_e655 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e649 == 1023u));
-                                        let _e662 = ((_e531.member_1[0] >> bitcast<u32>(_e566)) & 1023u);
-                                        let _e668 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e662) * _e574)) ^ _e113)));
-                                        let _e672 = select(select(_e514.member.member_1[1], _e668, (_e668 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e662 == 1023u));
-                                        let _e675 = ((_e531.member_1[0] >> bitcast<u32>(_e586)) & 1023u);
-                                        let _e681 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e675) * _e594)) ^ _e113)));
-                                        let _e685 = select(select(_e514.member.member_1[2], _e681, (_e681 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e675 == 1023u));
-                                        let _e688 = ((_e531.member_1[1] >> bitcast<u32>(_e546)) & 1023u);
-                                        let _e694 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e688) * _e554)) ^ _e113)));
-                                        let _e698 = select(select(_e514.member.member_1[0], _e694, (_e694 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e688 == 1023u));
-                                        let _e701 = ((_e531.member_1[1] >> bitcast<u32>(_e566)) & 1023u);
-                                        let _e707 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e701) * _e574)) ^ _e113)));
-                                        let _e711 = select(select(_e514.member.member_1[1], _e707, (_e707 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e701 == 1023u));
-                                        let _e714 = ((_e531.member_1[1] >> bitcast<u32>(_e586)) & 1023u);
-                                        let _e720 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e594)) ^ _e113)));
-                                        let _e724 = select(select(_e514.member.member_1[2], _e720, (_e720 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e714 == 1023u));
-                                        let _e729 = type_49(type_47(array<f32, 3>(_e564, _e584, _e604), array<f32, 3>(_e617, _e630, _e643)), _e531.member_2);
-                                        let _e734 = type_49(type_47(array<f32, 3>(_e659, _e672, _e685), array<f32, 3>(_e698, _e711, _e724)), _e531.member_3);
-                                        let _e740 = ((_e564 - _e313) * _e318);
-                                        let _e741 = ((_e659 - _e313) * _e318);
-                                        let _e742 = ((_e617 - _e314) * _e318);
-                                        let _e743 = ((_e698 - _e314) * _e318);
-                                        let _e748 = ((_e584 - _e351) * _e356);
-                                        let _e749 = ((_e672 - _e351) * _e356);
-                                        let _e750 = ((_e630 - _e352) * _e356);
-                                        let _e751 = ((_e711 - _e352) * _e356);
-                                        let _e756 = ((_e604 - _e389) * _e394);
-                                        let _e757 = ((_e685 - _e389) * _e394);
-                                        let _e758 = ((_e643 - _e390) * _e394);
-                                        let _e759 = ((_e724 - _e390) * _e394);
-                                        let _e761 = select(_e758, _e756, (_e756 < _e758));
-                                        let _e763 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e765 = select(_e758, _e756, (_e756 > _e758));
-                                        let _e767 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e769 = select(_e742, _e740, (_e740 < _e742));
-                                        let _e771 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e773 = select(_e750, _e748, (_e748 < _e750));
-                                        let _e775 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e777 = select(_e773, _e769, (_e769 > _e773));
-                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
-                                        let _e781 = select(_e761, _e777, (_e777 > _e761));
-                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
-                                        let _e785 = select(_e742, _e740, (_e740 > _e742));
-                                        let _e787 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e789 = select(_e750, _e748, (_e748 > _e750));
-                                        let _e791 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e793 = select(_e789, _e785, (_e785 < _e789));
-                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
-                                        let _e800 = -(_e761);
-                                        let _e801 = -(_e763);
-                                        let _e808 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e800, _e765, (_e765 > _e800)) * 0.0000019073523f));
-                                        let _e809 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e801, _e767, (_e767 > _e801)) * 0.0000019073523f));
-                                        let _e811 = select(_e441, _e781, (_e781 > _e441));
-                                        let _e813 = select(_e441, _e783, (_e783 > _e441));
-                                        let _e818 = (_e811 <= select(_e475.member_1, _e808, (_e808 < _e475.member_1)));
-                                        let _e819 = (_e813 <= select(_e475.member_1, _e809, (_e809 < _e475.member_1)));
-                                        let _e820 = (_e811 <= _e813);
-                                        if _e818 {
+                                        let _e532 = phi_1926_;
+                                        let _e547 = ((10u * _e242) & 31u);
+                                        let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
+                                        let _e555 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e114));
+                                        let _e561 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e114)));
+                                        let _e565 = select(select(_e515.member.member_1[0], _e561, (_e561 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e550 == 1023u));
+                                        let _e567 = ((10u * _e241) & 31u);
+                                        let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
+                                        let _e575 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e114));
+                                        let _e581 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e114)));
+                                        let _e585 = select(select(_e515.member.member_1[1], _e581, (_e581 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e570 == 1023u));
+                                        let _e587 = ((10u * _e243) & 31u);
+                                        let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
+                                        let _e595 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e114));
+                                        let _e601 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e114)));
+                                        let _e605 = select(select(_e515.member.member_1[2], _e601, (_e601 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e590 == 1023u));
+                                        let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
+                                        let _e614 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e114)));
+                                        let _e618 = select(select(_e515.member.member_1[0], _e614, (_e614 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e608 == 1023u));
+                                        let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
+                                        let _e627 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e114)));
+                                        let _e631 = select(select(_e515.member.member_1[1], _e627, (_e627 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e621 == 1023u));
+                                        let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
+                                        let _e640 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e114)));
+                                        let _e644 = select(select(_e515.member.member_1[2], _e640, (_e640 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e634 == 1023u));
+                                        let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
+                                        let _e656 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e114)));
+                                        let _e660 = select(select(_e515.member.member_1[0], _e656, (_e656 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e650 == 1023u));
+                                        let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
+                                        let _e669 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e114)));
+                                        let _e673 = select(select(_e515.member.member_1[1], _e669, (_e669 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e663 == 1023u));
+                                        let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
+                                        let _e682 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e114)));
+                                        let _e686 = select(select(_e515.member.member_1[2], _e682, (_e682 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e676 == 1023u));
+                                        let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
+                                        let _e695 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e114)));
+                                        let _e699 = select(select(_e515.member.member_1[0], _e695, (_e695 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e689 == 1023u));
+                                        let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
+                                        let _e708 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e114)));
+                                        let _e712 = select(select(_e515.member.member_1[1], _e708, (_e708 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e702 == 1023u));
+                                        let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
+                                        let _e721 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e114)));
+                                        let _e725 = select(select(_e515.member.member_1[2], _e721, (_e721 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e715 == 1023u));
+                                        let _e730 = type_49(type_47(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
+                                        let _e735 = type_49(type_47(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
+                                        let _e741 = ((_e565 - _e314) * _e319);
+                                        let _e742 = ((_e660 - _e314) * _e319);
+                                        let _e743 = ((_e618 - _e315) * _e319);
+                                        let _e744 = ((_e699 - _e315) * _e319);
+                                        let _e749 = ((_e585 - _e352) * _e357);
+                                        let _e750 = ((_e673 - _e352) * _e357);
+                                        let _e751 = ((_e631 - _e353) * _e357);
+                                        let _e752 = ((_e712 - _e353) * _e357);
+                                        let _e757 = ((_e605 - _e390) * _e395);
+                                        let _e758 = ((_e686 - _e390) * _e395);
+                                        let _e759 = ((_e644 - _e391) * _e395);
+                                        let _e760 = ((_e725 - _e391) * _e395);
+                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
+                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
+                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
+                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
+                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
+                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
+                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
+                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
+                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
+                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
+                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
+                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
+                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
+                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
+                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
+                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
+                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
+                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
+                                        let _e801 = -(_e762);
+                                        let _e802 = -(_e764);
+                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
+                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
+                                        let _e812 = select(_e442, _e782, (_e782 > _e442));
+                                        let _e814 = select(_e442, _e784, (_e784 > _e442));
+                                        let _e819 = (_e812 <= select(_e476.member_1, _e809, (_e809 < _e476.member_1)));
+                                        let _e820 = (_e814 <= select(_e476.member_1, _e810, (_e810 < _e476.member_1)));
+                                        let _e821 = (_e812 <= _e814);
+                                        if _e819 {
+                                            if _e820 {
+                                                if _e821 {
+                                                    phi_2758_ = _e735;
+                                                } else {
+                                                    phi_2758_ = _e730;
+                                                }
+                                                let _e823 = phi_2758_;
+                                                let _e831 = (_e519 % 128u);
+                                                let _e832 = (_e831 < 128u);
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e831] = _e823.member_1;
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e831] = _e823.member.member[0];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e831] = _e823.member.member[1];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e831] = _e823.member.member[2];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e831] = _e823.member.member_1[0];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e831] = _e823.member.member_1[1];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local[_e831] = _e823.member.member_1[2];
+                                                if _e832 {
+                                                } else {
+                                                    phi_3110_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e831] = select(_e814, _e812, (_e812 > _e814));
+                                                if _e821 {
+                                                    phi_2835_ = _e730;
+                                                } else {
+                                                    phi_2835_ = _e735;
+                                                }
+                                                let _e849 = phi_2835_;
+                                                phi_2836_ = _e849;
+                                                phi_2837_ = (_e519 + 1u);
+                                            } else {
+                                                phi_2836_ = type_49();
+                                                phi_2837_ = u32();
+                                            }
+                                            let _e851 = phi_2836_;
+                                            let _e853 = phi_2837_;
+                                            phi_2839_ = _e851;
+                                            phi_2840_ = _e853;
+                                            phi_2841_ = select(true, false, _e820);
+                                        } else {
+                                            phi_2839_ = type_49();
+                                            phi_2840_ = u32();
+                                            phi_2841_ = true;
+                                        }
+                                        let _e856 = phi_2839_;
+                                        let _e858 = phi_2840_;
+                                        let _e860 = phi_2841_;
+                                        if _e860 {
                                             if _e819 {
-                                                if _e820 {
-                                                    phi_2760_ = _e734;
-                                                } else {
-                                                    phi_2760_ = _e729;
-                                                }
-                                                let _e822 = phi_2760_;
-                                                let _e830 = (_e518 % 128u);
-                                                let _e831 = (_e830 < 128u);
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e830] = _e822.member_1;
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e830] = _e822.member.member[0];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e830] = _e822.member.member[1];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e830] = _e822.member.member[2];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e830] = _e822.member.member_1[0];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e830] = _e822.member.member_1[1];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local[_e830] = _e822.member.member_1[2];
-                                                if _e831 {
-                                                } else {
-                                                    phi_3112_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e830] = select(_e813, _e811, (_e811 > _e813));
-                                                if _e820 {
-                                                    phi_2837_ = _e729;
-                                                } else {
-                                                    phi_2837_ = _e734;
-                                                }
-                                                let _e848 = phi_2837_;
-                                                phi_2838_ = _e848;
-                                                phi_2839_ = (_e518 + 1u);
+                                                phi_2848_ = _e730;
                                             } else {
-                                                phi_2838_ = type_49();
-                                                phi_2839_ = u32();
+                                                phi_2848_ = _e735;
                                             }
-                                            let _e850 = phi_2838_;
-                                            let _e852 = phi_2839_;
-                                            phi_2841_ = _e850;
-                                            phi_2842_ = _e852;
-                                            phi_2843_ = select(true, false, _e819);
+                                            let _e862 = phi_2848_;
+                                            phi_2853_ = _e862;
+                                            phi_2854_ = select(_e820, true, _e819);
                                         } else {
-                                            phi_2841_ = type_49();
-                                            phi_2842_ = u32();
-                                            phi_2843_ = true;
+                                            phi_2853_ = _e856;
+                                            phi_2854_ = _e517;
                                         }
-                                        let _e855 = phi_2841_;
-                                        let _e857 = phi_2842_;
-                                        let _e859 = phi_2843_;
-                                        if _e859 {
-                                            if _e818 {
-                                                phi_2850_ = _e729;
-                                            } else {
-                                                phi_2850_ = _e734;
-                                            }
-                                            let _e861 = phi_2850_;
-                                            phi_2855_ = _e861;
-                                            phi_2856_ = select(_e819, true, _e818);
-                                        } else {
-                                            phi_2855_ = _e855;
-                                            phi_2856_ = _e516;
-                                        }
-                                        let _e864 = phi_2855_;
-                                        let _e866 = phi_2856_;
-                                        phi_3116_ = _e473;
-                                        phi_2858_ = _e475;
-                                        phi_2859_ = _e864;
-                                        phi_2860_ = _e866;
-                                        phi_2861_ = select(_e857, _e518, _e859);
+                                        let _e865 = phi_2853_;
+                                        let _e867 = phi_2854_;
+                                        phi_3114_ = _e474;
+                                        phi_2856_ = _e476;
+                                        phi_2857_ = _e865;
+                                        phi_2858_ = _e867;
+                                        phi_2859_ = select(_e858, _e519, _e860);
                                     }
-                                    let _e1457 = phi_3116_;
-                                    let _e1459 = phi_2858_;
-                                    let _e1461 = phi_2859_;
-                                    let _e1463 = phi_2860_;
-                                    let _e1465 = phi_2861_;
-                                    phi_3115_ = _e1457;
-                                    phi_2862_ = _e1459;
-                                    phi_2863_ = _e1461;
-                                    phi_2864_ = (_e479 - 1u);
-                                    phi_2865_ = _e1463;
-                                    phi_2866_ = _e1465;
+                                    let _e1459 = phi_3114_;
+                                    let _e1461 = phi_2856_;
+                                    let _e1463 = phi_2857_;
+                                    let _e1465 = phi_2858_;
+                                    let _e1467 = phi_2859_;
+                                    phi_3113_ = _e1459;
+                                    phi_2860_ = _e1461;
+                                    phi_2861_ = _e1463;
+                                    phi_2862_ = (_e480 - 1u);
+                                    phi_2863_ = _e1465;
+                                    phi_2864_ = _e1467;
                                 } else {
-                                    phi_3115_ = _e473;
-                                    phi_2862_ = _e475;
-                                    phi_2863_ = _e514;
-                                    phi_2864_ = _e479;
-                                    phi_2865_ = _e516;
-                                    phi_2866_ = _e518;
+                                    phi_3113_ = _e474;
+                                    phi_2860_ = _e476;
+                                    phi_2861_ = _e515;
+                                    phi_2862_ = _e480;
+                                    phi_2863_ = _e517;
+                                    phi_2864_ = _e519;
                                 }
-                                let _e1467 = phi_3115_;
-                                let _e1469 = phi_2862_;
-                                let _e1471 = phi_2863_;
-                                let _e1473 = phi_2864_;
-                                let _e1475 = phi_2865_;
-                                let _e1477 = phi_2866_;
-                                phi_3114_ = _e1467;
-                                phi_2867_ = _e1469;
-                                phi_2868_ = _e1471;
-                                phi_2869_ = _e1473;
-                                phi_2870_ = _e1475;
-                                phi_2871_ = _e1477;
+                                let _e1469 = phi_3113_;
+                                let _e1471 = phi_2860_;
+                                let _e1473 = phi_2861_;
+                                let _e1475 = phi_2862_;
+                                let _e1477 = phi_2863_;
+                                let _e1479 = phi_2864_;
+                                phi_3112_ = _e1469;
+                                phi_2865_ = _e1471;
+                                phi_2866_ = _e1473;
+                                phi_2867_ = _e1475;
+                                phi_2868_ = _e1477;
+                                phi_2869_ = _e1479;
                             } else {
-                                phi_3114_ = _e473;
-                                phi_2867_ = type_33();
-                                phi_2868_ = type_49();
+                                phi_3112_ = _e474;
+                                phi_2865_ = type_33();
+                                phi_2866_ = type_49();
+                                phi_2867_ = u32();
+                                phi_2868_ = bool();
                                 phi_2869_ = u32();
-                                phi_2870_ = bool();
-                                phi_2871_ = u32();
                             }
-                            let _e1479 = phi_3114_;
-                            let _e1481 = phi_2867_;
-                            let _e1483 = phi_2868_;
-                            let _e1485 = phi_2869_;
-                            let _e1487 = phi_2870_;
-                            let _e1489 = phi_2871_;
-                            phi_3113_ = _e1479;
-                            phi_771_ = _e1481;
-                            phi_774_ = _e1483;
-                            phi_776_ = _e1485;
-                            phi_778_ = _e1487;
-                            phi_780_ = _e1489;
-                            phi_2872_ = _e487;
+                            let _e1481 = phi_3112_;
+                            let _e1483 = phi_2865_;
+                            let _e1485 = phi_2866_;
+                            let _e1487 = phi_2867_;
+                            let _e1489 = phi_2868_;
+                            let _e1491 = phi_2869_;
+                            phi_3111_ = _e1481;
+                            phi_772_ = _e1483;
+                            phi_775_ = _e1485;
+                            phi_777_ = _e1487;
+                            phi_779_ = _e1489;
+                            phi_781_ = _e1491;
+                            phi_2870_ = _e488;
                         } else {
-                            phi_3113_ = _e473;
-                            phi_771_ = type_33();
-                            phi_774_ = type_49();
-                            phi_776_ = u32();
-                            phi_778_ = bool();
-                            phi_780_ = u32();
-                            phi_2872_ = false;
+                            phi_3111_ = _e474;
+                            phi_772_ = type_33();
+                            phi_775_ = type_49();
+                            phi_777_ = u32();
+                            phi_779_ = bool();
+                            phi_781_ = u32();
+                            phi_2870_ = false;
                         }
-                        let _e1491 = phi_3113_;
-                        let _e1493 = phi_771_;
-                        let _e1495 = phi_774_;
-                        let _e1497 = phi_776_;
-                        let _e1499 = phi_778_;
-                        let _e1501 = phi_780_;
-                        let _e1503 = phi_2872_;
+                        let _e1493 = phi_3111_;
+                        let _e1495 = phi_772_;
+                        let _e1497 = phi_775_;
+                        let _e1499 = phi_777_;
+                        let _e1501 = phi_779_;
+                        let _e1503 = phi_781_;
+                        let _e1505 = phi_2870_;
                         continue;
                         continuing {
-                            phi_2976_ = _e1491;
-                            phi_770_ = _e1493;
-                            phi_773_ = _e1495;
-                            phi_775_ = _e1497;
-                            phi_777_ = _e1499;
-                            phi_779_ = _e1501;
-                            phi_3112_ = _e1491;
-                            break if !(_e1503);
+                            phi_2974_ = _e1493;
+                            phi_771_ = _e1495;
+                            phi_774_ = _e1497;
+                            phi_776_ = _e1499;
+                            phi_778_ = _e1501;
+                            phi_780_ = _e1503;
+                            phi_3110_ = _e1493;
+                            break if !(_e1505);
                         }
                     }
-                    let _e1506 = phi_3112_;
-                    if _e1506 {
+                    let _e1508 = phi_3110_;
+                    if _e1508 {
                         break;
                     }
-                    let _e1508 = local_10;
-                    if (_e1508.member.member_3 != 4294967295u) {
-                        let _e1513 = -(_e408);
-                        let _e1514 = (_e1513 / 3i);
-                        let _e1521 = bitcast<f32>((bitcast<u32>((_e1514 + 127i)) << bitcast<u32>(23i)));
-                        let _e1529 = (((_e1508.member.member * _e1521) * _e1521) * bitcast<f32>((bitcast<u32>(((_e1513 - (2i * _e1514)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1531 = select(340282350000000000000000000000000000000f, _e1529, (_e1529 < 340282350000000000000000000000000000000f));
-                        phi_2924_ = type_22(select(-340282350000000000000000000000000000000f, _e1531, (_e1531 > -340282350000000000000000000000000000000f)), _e1508.member.member_1, _e1508.member.member_2, _e1508.member.member_3);
+                    let _e1510 = local_10;
+                    if (_e1510.member.member_3 != 4294967295u) {
+                        let _e1515 = -(_e409);
+                        let _e1516 = (_e1515 / 3i);
+                        let _e1523 = bitcast<f32>((bitcast<u32>((_e1516 + 127i)) << bitcast<u32>(23i)));
+                        let _e1531 = (((_e1510.member.member * _e1523) * _e1523) * bitcast<f32>((bitcast<u32>(((_e1515 - (2i * _e1516)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1533 = select(340282350000000000000000000000000000000f, _e1531, (_e1531 < 340282350000000000000000000000000000000f));
+                        phi_2922_ = type_22(select(-340282350000000000000000000000000000000f, _e1533, (_e1533 > -340282350000000000000000000000000000000f)), _e1510.member.member_1, _e1510.member.member_2, _e1510.member.member_3);
                     } else {
-                        phi_2924_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2922_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1538 = phi_2924_;
-                    if _e129 {
+                    let _e1540 = phi_2922_;
+                    if _e130 {
                     } else {
                         break;
                     }
-                    global_6.member[_e127] = _e1538;
+                    global_6.member[_e128] = _e1540;
                 }
             }
             break;

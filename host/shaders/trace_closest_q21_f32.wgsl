@@ -92,402 +92,404 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_380_: i32;
     var phi_381_: i32;
-    var phi_391_: bool;
-    var phi_401_: u32;
+    var phi_382_: i32;
+    var phi_392_: bool;
     var phi_402_: u32;
-    var phi_404_: bool;
-    var phi_409_: u32;
-    var phi_421_: i32;
-    var phi_441_: i32;
-    var phi_459_: f32;
-    var phi_465_: f32;
-    var phi_476_: f32;
-    var phi_482_: f32;
-    var phi_505_: f32;
-    var phi_516_: f32;
-    var phi_525_: f32;
-    var phi_531_: f32;
-    var phi_542_: f32;
-    var phi_548_: f32;
-    var phi_571_: f32;
-    var phi_582_: f32;
-    var phi_591_: f32;
-    var phi_597_: f32;
-    var phi_608_: f32;
-    var phi_614_: f32;
-    var phi_637_: f32;
-    var phi_648_: f32;
-    var phi_748_: f32;
+    var phi_403_: u32;
+    var phi_405_: bool;
+    var phi_410_: u32;
+    var phi_422_: i32;
+    var phi_442_: i32;
+    var phi_460_: f32;
+    var phi_466_: f32;
+    var phi_477_: f32;
+    var phi_483_: f32;
+    var phi_506_: f32;
+    var phi_517_: f32;
+    var phi_526_: f32;
+    var phi_532_: f32;
+    var phi_543_: f32;
+    var phi_549_: f32;
+    var phi_572_: f32;
+    var phi_583_: f32;
+    var phi_592_: f32;
+    var phi_598_: f32;
+    var phi_609_: f32;
+    var phi_615_: f32;
+    var phi_638_: f32;
+    var phi_649_: f32;
     var phi_749_: f32;
-    var phi_3452_: bool;
-    var phi_838_: type_33;
-    var phi_841_: type_50;
-    var phi_843_: u32;
-    var phi_845_: bool;
-    var phi_847_: u32;
-    var phi_858_: bool;
-    var phi_944_: type_50;
-    var phi_945_: bool;
-    var phi_946_: u32;
-    var phi_2699_: u32;
-    var phi_2700_: u32;
-    var phi_2710_: u32;
-    var phi_2712_: u32;
-    var phi_2713_: bool;
-    var phi_2733_: u32;
-    var phi_2734_: u32;
-    var phi_2738_: type_51;
-    var phi_3082_: type_50;
-    var phi_3159_: type_50;
-    var phi_3160_: type_50;
-    var phi_3161_: u32;
-    var phi_3163_: type_50;
-    var phi_3164_: u32;
-    var phi_3165_: bool;
-    var phi_3174_: type_50;
-    var phi_3179_: type_50;
-    var phi_3180_: bool;
-    var phi_964_: type_33;
-    var phi_967_: type_4;
-    var phi_968_: type_4;
-    var phi_990_: type_4;
-    var phi_1011_: u32;
-    var phi_1100_: array<array<f32, 3>, 3>;
-    var phi_1217_: bool;
-    var phi_1246_: bool;
-    var phi_1647_: f32;
-    var phi_1648_: f32;
-    var phi_1649_: f32;
-    var phi_1650_: f32;
-    var phi_1651_: vec3<f32>;
-    var phi_1652_: vec3<f32>;
-    var phi_1653_: vec3<f32>;
-    var phi_1654_: vec3<f32>;
-    var phi_1685_: bool;
-    var phi_1694_: vec3<f32>;
-    var phi_1861_: bool;
-    var phi_1885_: f32;
-    var phi_1886_: f32;
-    var phi_1909_: type_21;
-    var phi_1911_: type_21;
-    var phi_1912_: bool;
-    var phi_1916_: type_21;
-    var phi_1917_: type_21;
-    var phi_1918_: type_21;
-    var phi_1919_: bool;
-    var phi_1923_: type_21;
-    var phi_1924_: bool;
-    var phi_1925_: type_21;
-    var phi_1926_: bool;
-    var phi_1927_: bool;
-    var phi_1928_: type_21;
-    var phi_1929_: bool;
-    var phi_1930_: bool;
-    var phi_1938_: type_21;
-    var phi_1939_: bool;
-    var phi_1943_: type_21;
-    var phi_1968_: bool;
-    var phi_1969_: bool;
-    var phi_1975_: type_33;
-    var phi_1976_: type_33;
-    var phi_1977_: type_33;
-    var phi_965_: type_33;
-    var phi_3446_: bool;
-    var phi_3592_: bool;
-    var phi_3182_: type_33;
-    var phi_3183_: type_50;
-    var phi_3184_: bool;
-    var phi_3185_: u32;
-    var phi_3591_: bool;
-    var phi_3186_: type_33;
-    var phi_3187_: type_50;
-    var phi_3188_: u32;
-    var phi_3189_: bool;
-    var phi_3190_: u32;
-    var phi_3590_: bool;
-    var phi_3191_: type_33;
-    var phi_3192_: type_50;
-    var phi_3193_: u32;
-    var phi_3194_: bool;
-    var phi_3195_: u32;
-    var phi_3589_: bool;
+    var phi_750_: f32;
+    var phi_3450_: bool;
     var phi_839_: type_33;
     var phi_842_: type_50;
     var phi_844_: u32;
     var phi_846_: bool;
     var phi_848_: u32;
-    var phi_3196_: bool;
+    var phi_859_: bool;
+    var phi_945_: type_50;
+    var phi_946_: bool;
+    var phi_947_: u32;
+    var phi_2697_: u32;
+    var phi_2698_: u32;
+    var phi_2708_: u32;
+    var phi_2710_: u32;
+    var phi_2711_: bool;
+    var phi_2731_: u32;
+    var phi_2732_: u32;
+    var phi_2736_: type_51;
+    var phi_3080_: type_50;
+    var phi_3157_: type_50;
+    var phi_3158_: type_50;
+    var phi_3159_: u32;
+    var phi_3161_: type_50;
+    var phi_3162_: u32;
+    var phi_3163_: bool;
+    var phi_3172_: type_50;
+    var phi_3177_: type_50;
+    var phi_3178_: bool;
+    var phi_965_: type_33;
+    var phi_968_: type_4;
+    var phi_969_: type_4;
+    var phi_991_: type_4;
+    var phi_1012_: u32;
+    var phi_1101_: array<array<f32, 3>, 3>;
+    var phi_1218_: bool;
+    var phi_1247_: bool;
+    var phi_1648_: f32;
+    var phi_1649_: f32;
+    var phi_1650_: f32;
+    var phi_1651_: f32;
+    var phi_1652_: vec3<f32>;
+    var phi_1653_: vec3<f32>;
+    var phi_1654_: vec3<f32>;
+    var phi_1655_: vec3<f32>;
+    var phi_1686_: bool;
+    var phi_1695_: vec3<f32>;
+    var phi_1860_: f32;
+    var phi_1862_: f32;
+    var phi_1863_: bool;
+    var phi_1883_: f32;
+    var phi_1884_: f32;
+    var phi_1907_: type_21;
+    var phi_1909_: type_21;
+    var phi_1910_: bool;
+    var phi_1914_: type_21;
+    var phi_1915_: type_21;
+    var phi_1916_: type_21;
+    var phi_1917_: bool;
+    var phi_1921_: type_21;
+    var phi_1922_: bool;
+    var phi_1923_: type_21;
+    var phi_1924_: bool;
+    var phi_1925_: bool;
+    var phi_1926_: type_21;
+    var phi_1927_: bool;
+    var phi_1928_: bool;
+    var phi_1936_: type_21;
+    var phi_1937_: bool;
+    var phi_1941_: type_21;
+    var phi_1966_: bool;
+    var phi_1967_: bool;
+    var phi_1973_: type_33;
+    var phi_1974_: type_33;
+    var phi_1975_: type_33;
+    var phi_966_: type_33;
+    var phi_3444_: bool;
+    var phi_3590_: bool;
+    var phi_3180_: type_33;
+    var phi_3181_: type_50;
+    var phi_3182_: bool;
+    var phi_3183_: u32;
+    var phi_3589_: bool;
+    var phi_3184_: type_33;
+    var phi_3185_: type_50;
+    var phi_3186_: u32;
+    var phi_3187_: bool;
+    var phi_3188_: u32;
     var phi_3588_: bool;
+    var phi_3189_: type_33;
+    var phi_3190_: type_50;
+    var phi_3191_: u32;
+    var phi_3192_: bool;
+    var phi_3193_: u32;
+    var phi_3587_: bool;
+    var phi_840_: type_33;
+    var phi_843_: type_50;
+    var phi_845_: u32;
+    var phi_847_: bool;
+    var phi_849_: u32;
+    var phi_3194_: bool;
+    var phi_3586_: bool;
     var local_10: type_33;
-    var phi_3248_: type_21;
+    var phi_3246_: type_21;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e82 = global;
-            let _e84 = arrayLength((&global_5.member));
-            let _e86 = arrayLength((&global_2.member));
-            let _e94 = global_3.member[0u][0u];
-            let _e98 = global_3.member[0u][1u];
-            let _e102 = global_3.member[0u][2u];
-            let _e106 = global_3.member[0u][3u];
-            let _e110 = global_3.member[1u][0u];
-            let _e114 = global_3.member[1u][1u];
-            let _e118 = global_3.member[1u][2u];
-            let _e121 = global_1.member[0u];
-            let _e122 = bitcast<i32>(_e121);
-            let _e134 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e106) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e94), bitcast<i32>(_e98), bitcast<i32>(_e102));
-            local = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
-            let _e140 = (_e82.x + (_e82.y * 2097152u));
-            let _e141 = (_e140 < arrayLength((&global_4.member)));
-            if _e141 {
-                let _e142 = (_e140 < arrayLength((&global_6.member)));
-                if _e142 {
-                    if _e141 {
+            let _e83 = global;
+            let _e85 = arrayLength((&global_5.member));
+            let _e87 = arrayLength((&global_2.member));
+            let _e95 = global_3.member[0u][0u];
+            let _e99 = global_3.member[0u][1u];
+            let _e103 = global_3.member[0u][2u];
+            let _e107 = global_3.member[0u][3u];
+            let _e111 = global_3.member[1u][0u];
+            let _e115 = global_3.member[1u][1u];
+            let _e119 = global_3.member[1u][2u];
+            let _e122 = global_1.member[0u];
+            let _e123 = bitcast<i32>(_e122);
+            let _e135 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e107) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e95), bitcast<i32>(_e99), bitcast<i32>(_e103));
+            local = array<i32, 3>(bitcast<i32>(_e111), bitcast<i32>(_e115), bitcast<i32>(_e119));
+            let _e141 = (_e83.x + (_e83.y * 2097152u));
+            let _e142 = (_e141 < arrayLength((&global_4.member)));
+            if _e142 {
+                let _e143 = (_e141 < arrayLength((&global_6.member)));
+                if _e143 {
+                    if _e142 {
                     } else {
                         break;
                     }
-                    let _e150 = global_4.member[_e140].member_2[0u];
-                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
-                    let _e157 = global_4.member[_e140].member_2[1u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_4.member[_e140].member_2[2u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_4.member[_e140].member[0u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_4.member[_e140].member[1u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_4.member[_e140].member[2u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e189 = select(_e159, _e152, (_e159 < _e152));
-                    let _e191 = select(_e166, _e189, (_e166 < _e189));
-                    let _e193 = select(_e173, _e191, (_e173 < _e191));
-                    let _e195 = select(_e180, _e193, (_e180 < _e193));
-                    let _e197 = select(_e187, _e195, (_e187 < _e195));
-                    let _e201 = global_4.member[_e140].member_1;
-                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
-                    let _e210 = global_4.member[_e140].member_3;
-                    let _e216 = (((select(_e203, _e197, (_e203 < _e197)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e191 > 0u));
-                    if _e216 {
-                        let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
-                        if (_e219 >= 8388608u) {
-                            phi_380_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
+                    let _e151 = global_4.member[_e141].member_2[0u];
+                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
+                    let _e158 = global_4.member[_e141].member_2[1u];
+                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
+                    let _e165 = global_4.member[_e141].member_2[2u];
+                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
+                    let _e172 = global_4.member[_e141].member[0u];
+                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
+                    let _e179 = global_4.member[_e141].member[1u];
+                    let _e181 = (bitcast<u32>(_e179) & 2147483647u);
+                    let _e186 = global_4.member[_e141].member[2u];
+                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
+                    let _e190 = select(_e160, _e153, (_e160 < _e153));
+                    let _e192 = select(_e167, _e190, (_e167 < _e190));
+                    let _e194 = select(_e174, _e192, (_e174 < _e192));
+                    let _e196 = select(_e181, _e194, (_e181 < _e194));
+                    let _e198 = select(_e188, _e196, (_e188 < _e196));
+                    let _e202 = global_4.member[_e141].member_1;
+                    let _e204 = (bitcast<u32>(_e202) & 2147483647u);
+                    let _e211 = global_4.member[_e141].member_3;
+                    let _e217 = (((select(_e204, _e198, (_e204 < _e198)) < 2139095040u) && ((bitcast<u32>(_e211) & 2147483647u) <= 2139095040u)) && (_e192 > 0u));
+                    if _e217 {
+                        let _e220 = (bitcast<u32>(bitcast<f32>(_e192)) & 2147483647u);
+                        if (_e220 >= 8388608u) {
+                            phi_381_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_380_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
+                            phi_381_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
                         }
-                        let _e233 = phi_380_;
-                        phi_381_ = _e233;
+                        let _e234 = phi_381_;
+                        phi_382_ = _e234;
                     } else {
-                        phi_381_ = 0i;
+                        phi_382_ = 0i;
                     }
-                    let _e235 = phi_381_;
-                    let _e236 = (_e152 == _e191);
-                    if _e236 {
-                        phi_391_ = true;
+                    let _e236 = phi_382_;
+                    let _e237 = (_e153 == _e192);
+                    if _e237 {
+                        phi_392_ = true;
                     } else {
-                        phi_391_ = (_e159 == _e191);
+                        phi_392_ = (_e160 == _e192);
                     }
-                    let _e239 = phi_391_;
-                    let _e240 = select(1u, 0u, _e236);
-                    if _e239 {
-                        let _e241 = (_e240 + 1u);
-                        phi_401_ = _e241;
-                        phi_402_ = _e241;
-                        phi_404_ = select(true, false, (_e241 == 2u));
+                    let _e240 = phi_392_;
+                    let _e241 = select(1u, 0u, _e237);
+                    if _e240 {
+                        let _e242 = (_e241 + 1u);
+                        phi_402_ = _e242;
+                        phi_403_ = _e242;
+                        phi_405_ = select(true, false, (_e242 == 2u));
                     } else {
-                        phi_401_ = u32();
-                        phi_402_ = 0u;
-                        phi_404_ = true;
+                        phi_402_ = u32();
+                        phi_403_ = 0u;
+                        phi_405_ = true;
                     }
-                    let _e245 = phi_401_;
-                    let _e247 = phi_402_;
-                    let _e249 = phi_404_;
-                    if _e249 {
-                        phi_409_ = (_e247 + 1u);
+                    let _e246 = phi_402_;
+                    let _e248 = phi_403_;
+                    let _e250 = phi_405_;
+                    if _e250 {
+                        phi_410_ = (_e248 + 1u);
                     } else {
-                        phi_409_ = 0u;
+                        phi_410_ = 0u;
                     }
-                    let _e253 = phi_409_;
-                    let _e254 = select(_e245, _e247, _e249);
-                    let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
-                    if (_e122 < -126i) {
-                        phi_421_ = -126i;
+                    let _e254 = phi_410_;
+                    let _e255 = select(_e246, _e248, _e250);
+                    let _e256 = select(_e241, select(2u, _e241, _e240), _e250);
+                    if (_e123 < -126i) {
+                        phi_422_ = -126i;
                     } else {
-                        phi_421_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_422_ = select(_e123, 127i, (_e123 > 127i));
                     }
-                    let _e260 = phi_421_;
-                    let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = -(_e235);
-                    if (_e272 < -126i) {
-                        phi_441_ = -126i;
+                    let _e261 = phi_422_;
+                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = bitcast<f32>((bitcast<u32>(((_e123 - _e261) + 127i)) << bitcast<u32>(23i)));
+                    let _e273 = -(_e236);
+                    if (_e273 < -126i) {
+                        phi_442_ = -126i;
                     } else {
-                        phi_441_ = select(_e272, 127i, (_e272 > 127i));
+                        phi_442_ = select(_e273, 127i, (_e273 > 127i));
                     }
-                    let _e277 = phi_441_;
-                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
-                    let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
-                    let _e292 = global_4.member[_e140].member;
-                    let _e293 = (_e254 == 0u);
-                    if _e293 {
-                        phi_459_ = _e292[0];
+                    let _e278 = phi_442_;
+                    let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
+                    let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
+                    let _e293 = global_4.member[_e141].member;
+                    let _e294 = (_e255 == 0u);
+                    if _e294 {
+                        phi_460_ = _e293[0];
                     } else {
-                        phi_459_ = _e292[1];
+                        phi_460_ = _e293[1];
                     }
-                    let _e297 = phi_459_;
-                    let _e298 = (_e254 == 2u);
-                    if _e298 {
-                        phi_465_ = _e292[2];
+                    let _e298 = phi_460_;
+                    let _e299 = (_e255 == 2u);
+                    if _e299 {
+                        phi_466_ = _e293[2];
                     } else {
-                        phi_465_ = _e297;
+                        phi_466_ = _e298;
                     }
-                    let _e301 = phi_465_;
-                    let _e303 = ((_e301 * _e265) * _e271);
-                    let _e304 = global_4.member[_e140].member_2;
-                    if _e293 {
-                        phi_476_ = _e304[0];
+                    let _e302 = phi_466_;
+                    let _e304 = ((_e302 * _e266) * _e272);
+                    let _e305 = global_4.member[_e141].member_2;
+                    if _e294 {
+                        phi_477_ = _e305[0];
                     } else {
-                        phi_476_ = _e304[1];
+                        phi_477_ = _e305[1];
                     }
-                    let _e308 = phi_476_;
-                    if _e298 {
-                        phi_482_ = _e304[2];
+                    let _e309 = phi_477_;
+                    if _e299 {
+                        phi_483_ = _e305[2];
                     } else {
-                        phi_482_ = _e308;
+                        phi_483_ = _e309;
                     }
-                    let _e311 = phi_482_;
-                    let _e313 = ((_e311 * _e282) * _e288);
-                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e317 {
-                        let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
-                        phi_505_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                    let _e312 = phi_483_;
+                    let _e314 = ((_e312 * _e283) * _e289);
+                    let _e318 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e318 {
+                        let _e322 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) * 0.00000011920929f);
+                        phi_506_ = select(0.00000000000011368684f, _e322, (_e322 > 0.00000000000011368684f));
                     } else {
-                        phi_505_ = 0f;
+                        phi_506_ = 0f;
                     }
-                    let _e325 = phi_505_;
-                    let _e326 = (_e303 + _e325);
-                    let _e327 = (_e303 - _e325);
-                    let _e328 = select(_e313, 0f, _e317);
-                    if _e317 {
-                        phi_516_ = 38685626000000000000000000f;
+                    let _e326 = phi_506_;
+                    let _e327 = (_e304 + _e326);
+                    let _e328 = (_e304 - _e326);
+                    let _e329 = select(_e314, 0f, _e318);
+                    if _e318 {
+                        phi_517_ = 38685626000000000000000000f;
                     } else {
-                        phi_516_ = (1f / _e313);
+                        phi_517_ = (1f / _e314);
                     }
-                    let _e331 = phi_516_;
-                    let _e332 = (_e253 == 0u);
-                    if _e332 {
-                        phi_525_ = _e292[0];
+                    let _e332 = phi_517_;
+                    let _e333 = (_e254 == 0u);
+                    if _e333 {
+                        phi_526_ = _e293[0];
                     } else {
-                        phi_525_ = _e292[1];
+                        phi_526_ = _e293[1];
                     }
-                    let _e336 = phi_525_;
-                    let _e337 = (_e253 == 2u);
-                    if _e337 {
-                        phi_531_ = _e292[2];
+                    let _e337 = phi_526_;
+                    let _e338 = (_e254 == 2u);
+                    if _e338 {
+                        phi_532_ = _e293[2];
                     } else {
-                        phi_531_ = _e336;
+                        phi_532_ = _e337;
                     }
-                    let _e340 = phi_531_;
-                    let _e342 = ((_e340 * _e265) * _e271);
-                    if _e332 {
-                        phi_542_ = _e304[0];
+                    let _e341 = phi_532_;
+                    let _e343 = ((_e341 * _e266) * _e272);
+                    if _e333 {
+                        phi_543_ = _e305[0];
                     } else {
-                        phi_542_ = _e304[1];
+                        phi_543_ = _e305[1];
                     }
-                    let _e346 = phi_542_;
-                    if _e337 {
-                        phi_548_ = _e304[2];
+                    let _e347 = phi_543_;
+                    if _e338 {
+                        phi_549_ = _e305[2];
                     } else {
-                        phi_548_ = _e346;
+                        phi_549_ = _e347;
                     }
-                    let _e349 = phi_548_;
-                    let _e351 = ((_e349 * _e282) * _e288);
-                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e355 {
-                        let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
-                        phi_571_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
+                    let _e350 = phi_549_;
+                    let _e352 = ((_e350 * _e283) * _e289);
+                    let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e356 {
+                        let _e360 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) * 0.00000011920929f);
+                        phi_572_ = select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f));
                     } else {
-                        phi_571_ = 0f;
+                        phi_572_ = 0f;
                     }
-                    let _e363 = phi_571_;
-                    let _e364 = (_e342 + _e363);
-                    let _e365 = (_e342 - _e363);
-                    let _e366 = select(_e351, 0f, _e355);
-                    if _e355 {
-                        phi_582_ = 38685626000000000000000000f;
+                    let _e364 = phi_572_;
+                    let _e365 = (_e343 + _e364);
+                    let _e366 = (_e343 - _e364);
+                    let _e367 = select(_e352, 0f, _e356);
+                    if _e356 {
+                        phi_583_ = 38685626000000000000000000f;
                     } else {
-                        phi_582_ = (1f / _e351);
+                        phi_583_ = (1f / _e352);
                     }
-                    let _e369 = phi_582_;
-                    let _e370 = (_e255 == 0u);
-                    if _e370 {
-                        phi_591_ = _e292[0];
+                    let _e370 = phi_583_;
+                    let _e371 = (_e256 == 0u);
+                    if _e371 {
+                        phi_592_ = _e293[0];
                     } else {
-                        phi_591_ = _e292[1];
+                        phi_592_ = _e293[1];
                     }
-                    let _e374 = phi_591_;
-                    let _e375 = (_e255 == 2u);
-                    if _e375 {
-                        phi_597_ = _e292[2];
+                    let _e375 = phi_592_;
+                    let _e376 = (_e256 == 2u);
+                    if _e376 {
+                        phi_598_ = _e293[2];
                     } else {
-                        phi_597_ = _e374;
+                        phi_598_ = _e375;
                     }
-                    let _e378 = phi_597_;
-                    let _e380 = ((_e378 * _e265) * _e271);
-                    if _e370 {
-                        phi_608_ = _e304[0];
+                    let _e379 = phi_598_;
+                    let _e381 = ((_e379 * _e266) * _e272);
+                    if _e371 {
+                        phi_609_ = _e305[0];
                     } else {
-                        phi_608_ = _e304[1];
+                        phi_609_ = _e305[1];
                     }
-                    let _e384 = phi_608_;
-                    if _e375 {
-                        phi_614_ = _e304[2];
+                    let _e385 = phi_609_;
+                    if _e376 {
+                        phi_615_ = _e305[2];
                     } else {
-                        phi_614_ = _e384;
+                        phi_615_ = _e385;
                     }
-                    let _e387 = phi_614_;
-                    let _e389 = ((_e387 * _e282) * _e288);
-                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e393 {
-                        let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
-                        phi_637_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
+                    let _e388 = phi_615_;
+                    let _e390 = ((_e388 * _e283) * _e289);
+                    let _e394 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e394 {
+                        let _e398 = (bitcast<f32>((bitcast<u32>(_e381) & 2147483647u)) * 0.00000011920929f);
+                        phi_638_ = select(0.00000000000011368684f, _e398, (_e398 > 0.00000000000011368684f));
                     } else {
-                        phi_637_ = 0f;
+                        phi_638_ = 0f;
                     }
-                    let _e401 = phi_637_;
-                    let _e402 = (_e380 + _e401);
-                    let _e403 = (_e380 - _e401);
-                    let _e404 = select(_e389, 0f, _e393);
-                    if _e393 {
-                        phi_648_ = 38685626000000000000000000f;
+                    let _e402 = phi_638_;
+                    let _e403 = (_e381 + _e402);
+                    let _e404 = (_e381 - _e402);
+                    let _e405 = select(_e390, 0f, _e394);
+                    if _e394 {
+                        phi_649_ = 38685626000000000000000000f;
                     } else {
-                        phi_648_ = (1f / _e389);
+                        phi_649_ = (1f / _e390);
                     }
-                    let _e407 = phi_648_;
-                    let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
-                    let _e415 = select(_e413, _e410, (_e410 > _e413));
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
-                    let _e421 = (_e122 + _e235);
-                    if (_e216 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
-                        let _e424 = (_e421 / 3i);
-                        let _e431 = bitcast<f32>((bitcast<u32>((_e424 + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = bitcast<f32>((bitcast<u32>(((_e421 - (2i * _e424)) + 127i)) << bitcast<u32>(23i)));
-                        let _e439 = (((_e201 * _e431) * _e431) * _e438);
-                        let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
-                        let _e446 = (((_e210 * _e431) * _e431) * _e438);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        phi_748_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
-                        phi_749_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
+                    let _e408 = phi_649_;
+                    let _e411 = bitcast<f32>((bitcast<u32>(_e304) & 2147483647u));
+                    let _e414 = bitcast<f32>((bitcast<u32>(_e343) & 2147483647u));
+                    let _e416 = select(_e414, _e411, (_e411 > _e414));
+                    let _e419 = bitcast<f32>((bitcast<u32>(_e381) & 2147483647u));
+                    let _e422 = (_e123 + _e236);
+                    if (_e217 && (select(_e419, _e416, (_e416 > _e419)) <= 1099511600000f)) {
+                        let _e425 = (_e422 / 3i);
+                        let _e432 = bitcast<f32>((bitcast<u32>((_e425 + 127i)) << bitcast<u32>(23i)));
+                        let _e439 = bitcast<f32>((bitcast<u32>(((_e422 - (2i * _e425)) + 127i)) << bitcast<u32>(23i)));
+                        let _e440 = (((_e202 * _e432) * _e432) * _e439);
+                        let _e442 = select(340282350000000000000000000000000000000f, _e440, (_e440 < 340282350000000000000000000000000000000f));
+                        let _e447 = (((_e211 * _e432) * _e432) * _e439);
+                        let _e449 = select(340282350000000000000000000000000000000f, _e447, (_e447 < 340282350000000000000000000000000000000f));
+                        phi_749_ = select(-340282350000000000000000000000000000000f, _e449, (_e449 > -340282350000000000000000000000000000000f));
+                        phi_750_ = select(-340282350000000000000000000000000000000f, _e442, (_e442 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_748_ = 0f;
-                        phi_749_ = 1f;
+                        phi_749_ = 0f;
+                        phi_750_ = 1f;
                     }
-                    let _e452 = phi_748_;
-                    let _e454 = phi_749_;
+                    let _e453 = phi_749_;
+                    let _e455 = phi_750_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -496,943 +498,953 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e458 = (_e254 % 3u);
-                    let _e459 = (_e458 < 3u);
-                    if _e459 {
+                    let _e459 = (_e255 % 3u);
+                    let _e460 = (_e459 < 3u);
+                    if _e460 {
                     } else {
                         break;
                     }
-                    let _e461 = local_1[_e458];
-                    let _e464 = (_e253 % 3u);
-                    let _e465 = (_e464 < 3u);
-                    if _e465 {
+                    let _e462 = local_1[_e459];
+                    let _e465 = (_e254 % 3u);
+                    let _e466 = (_e465 < 3u);
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e467 = local_1[_e464];
-                    let _e470 = (_e255 % 3u);
-                    let _e471 = (_e470 < 3u);
-                    if _e471 {
+                    let _e468 = local_1[_e465];
+                    let _e471 = (_e256 % 3u);
+                    let _e472 = (_e471 < 3u);
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e473 = local_1[_e470];
-                    if _e459 {
+                    let _e474 = local_1[_e471];
+                    if _e460 {
                     } else {
                         break;
                     }
-                    let _e478 = local[_e458];
-                    if _e465 {
+                    let _e479 = local[_e459];
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e482 = local[_e464];
-                    if _e471 {
+                    let _e483 = local[_e465];
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e470];
-                    phi_3452_ = false;
-                    phi_838_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e452);
-                    phi_841_ = type_50(type_29(vec4<f32>((f32(_e461) * _e134), (f32(_e467) * _e134), (f32(_e473) * _e134), 0f), vec4<f32>((f32(_e478) * _e134), (f32(_e482) * _e134), (f32(_e486) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
-                    phi_843_ = ((3u * _e84) + 1u);
-                    phi_845_ = (_e454 <= _e452);
-                    phi_847_ = 0u;
+                    let _e487 = local[_e471];
+                    phi_3450_ = false;
+                    phi_839_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e453);
+                    phi_842_ = type_50(type_29(vec4<f32>((f32(_e462) * _e135), (f32(_e468) * _e135), (f32(_e474) * _e135), 0f), vec4<f32>((f32(_e479) * _e135), (f32(_e483) * _e135), (f32(_e487) * _e135), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
+                    phi_844_ = ((3u * _e85) + 1u);
+                    phi_846_ = (_e455 <= _e453);
+                    phi_848_ = 0u;
                     loop {
-                        let _e496 = phi_3452_;
-                        let _e498 = phi_838_;
-                        let _e500 = phi_841_;
-                        let _e502 = phi_843_;
-                        let _e504 = phi_845_;
-                        let _e506 = phi_847_;
-                        local_10 = _e498;
-                        if _e504 {
-                            phi_858_ = true;
+                        let _e497 = phi_3450_;
+                        let _e499 = phi_839_;
+                        let _e501 = phi_842_;
+                        let _e503 = phi_844_;
+                        let _e505 = phi_846_;
+                        let _e507 = phi_848_;
+                        local_10 = _e499;
+                        if _e505 {
+                            phi_859_ = true;
                         } else {
-                            phi_858_ = (_e506 > 0u);
+                            phi_859_ = (_e507 > 0u);
                         }
-                        let _e509 = phi_858_;
-                        if _e509 {
-                            let _e510 = (_e502 > 0u);
-                            if _e510 {
-                                if _e504 {
-                                    phi_944_ = _e500;
-                                    phi_945_ = _e504;
-                                    phi_946_ = _e506;
+                        let _e510 = phi_859_;
+                        if _e510 {
+                            let _e511 = (_e503 > 0u);
+                            if _e511 {
+                                if _e505 {
+                                    phi_945_ = _e501;
+                                    phi_946_ = _e505;
+                                    phi_947_ = _e507;
                                 } else {
-                                    let _e511 = (_e506 - 1u);
-                                    let _e512 = (_e511 % 128u);
-                                    let _e513 = (_e512 < 128u);
-                                    if _e513 {
+                                    let _e512 = (_e507 - 1u);
+                                    let _e513 = (_e512 % 128u);
+                                    let _e514 = (_e513 < 128u);
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e515 = local_7[_e512];
-                                    if _e513 {
+                                    let _e516 = local_7[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e517 = local_6[_e512];
-                                    if _e513 {
+                                    let _e518 = local_6[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e519 = local_5[_e512];
-                                    if _e513 {
+                                    let _e520 = local_5[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e521 = local_4[_e512];
-                                    if _e513 {
+                                    let _e522 = local_4[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e523 = local_3[_e512];
-                                    if _e513 {
+                                    let _e524 = local_3[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e525 = local_2[_e512];
-                                    if _e513 {
+                                    let _e526 = local_2[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e530 = local_8[_e512];
-                                    if _e513 {
+                                    let _e531 = local_8[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3588_ = true;
+                                        phi_3586_ = true;
                                         break;
                                     }
-                                    let _e533 = local_9[_e512];
-                                    phi_944_ = type_50(type_29(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
-                                    phi_945_ = (_e533 <= _e498.member_1);
-                                    phi_946_ = _e511;
+                                    let _e534 = local_9[_e513];
+                                    phi_945_ = type_50(type_29(vec4<f32>(_e516, _e518, _e520, 0f), vec4<f32>(_e522, _e524, _e526, 0f)), _e531);
+                                    phi_946_ = (_e534 <= _e499.member_1);
+                                    phi_947_ = _e512;
                                 }
-                                let _e537 = phi_944_;
-                                let _e539 = phi_945_;
-                                let _e541 = phi_946_;
-                                if _e539 {
-                                    if ((_e537.member_1 & 2147483648u) != 0u) {
-                                        phi_964_ = _e498;
-                                        phi_967_ = type_4(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e538 = phi_945_;
+                                let _e540 = phi_946_;
+                                let _e542 = phi_947_;
+                                if _e540 {
+                                    if ((_e538.member_1 & 2147483648u) != 0u) {
+                                        phi_965_ = _e499;
+                                        phi_968_ = type_4(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1003 = phi_964_;
-                                            let _e1005 = phi_967_;
-                                            local_11 = _e1003;
-                                            if (_e1005.member < _e1005.member_1) {
-                                                phi_968_ = type_4((_e1005.member + 1u), _e1005.member_1);
-                                                phi_990_ = type_4(1u, _e1005.member);
+                                            let _e1004 = phi_965_;
+                                            let _e1006 = phi_968_;
+                                            local_11 = _e1004;
+                                            if (_e1006.member < _e1006.member_1) {
+                                                phi_969_ = type_4((_e1006.member + 1u), _e1006.member_1);
+                                                phi_991_ = type_4(1u, _e1006.member);
                                             } else {
-                                                phi_968_ = _e1005;
-                                                phi_990_ = type_4(0u, type_4().member_1);
+                                                phi_969_ = _e1006;
+                                                phi_991_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1018 = phi_968_;
-                                            let _e1020 = phi_990_;
-                                            let _e1024 = (bitcast<i32>(_e1020.member) != 0i);
-                                            if _e1024 {
-                                                let _e1025 = ((_e537.member_1 & 268435455u) + _e1020.member_1);
-                                                let _e1026 = (_e1025 < _e86);
-                                                if _e1026 {
-                                                    if _e1026 {
+                                            let _e1019 = phi_969_;
+                                            let _e1021 = phi_991_;
+                                            let _e1025 = (bitcast<i32>(_e1021.member) != 0i);
+                                            if _e1025 {
+                                                let _e1026 = ((_e538.member_1 & 268435455u) + _e1021.member_1);
+                                                let _e1027 = (_e1026 < _e87);
+                                                if _e1027 {
+                                                    if _e1027 {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1030 = global_2.member[_e1025].member_1;
-                                                    phi_1011_ = _e1030;
+                                                    let _e1031 = global_2.member[_e1026].member_1;
+                                                    phi_1012_ = _e1031;
                                                 } else {
-                                                    phi_1011_ = 4294967295u;
+                                                    phi_1012_ = 4294967295u;
                                                 }
-                                                let _e1032 = phi_1011_;
-                                                if (_e1025 >= _e86) {
-                                                    phi_1100_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1033 = phi_1012_;
+                                                if (_e1026 >= _e87) {
+                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1026 {
+                                                    if _e1027 {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    if (_e458 < 9u) {
+                                                    if (_e459 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1039 = global_2.member[_e1025].member[_e458];
-                                                    if (_e464 < 9u) {
+                                                    let _e1040 = global_2.member[_e1026].member[_e459];
+                                                    if (_e465 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1045 = global_2.member[_e1025].member[_e464];
-                                                    if (_e470 < 9u) {
+                                                    let _e1046 = global_2.member[_e1026].member[_e465];
+                                                    if (_e471 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1051 = global_2.member[_e1025].member[_e470];
-                                                    let _e1053 = (3u + _e458);
-                                                    if (_e1053 < 9u) {
+                                                    let _e1052 = global_2.member[_e1026].member[_e471];
+                                                    let _e1054 = (3u + _e459);
+                                                    if (_e1054 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1059 = global_2.member[_e1025].member[_e1053];
-                                                    let _e1060 = (3u + _e464);
-                                                    if (_e1060 < 9u) {
+                                                    let _e1060 = global_2.member[_e1026].member[_e1054];
+                                                    let _e1061 = (3u + _e465);
+                                                    if (_e1061 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1066 = global_2.member[_e1025].member[_e1060];
-                                                    let _e1067 = (3u + _e470);
-                                                    if (_e1067 < 9u) {
+                                                    let _e1067 = global_2.member[_e1026].member[_e1061];
+                                                    let _e1068 = (3u + _e471);
+                                                    if (_e1068 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1073 = global_2.member[_e1025].member[_e1067];
-                                                    let _e1075 = (6u + _e458);
-                                                    if (_e1075 < 9u) {
+                                                    let _e1074 = global_2.member[_e1026].member[_e1068];
+                                                    let _e1076 = (6u + _e459);
+                                                    if (_e1076 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1081 = global_2.member[_e1025].member[_e1075];
-                                                    let _e1082 = (6u + _e464);
-                                                    if (_e1082 < 9u) {
+                                                    let _e1082 = global_2.member[_e1026].member[_e1076];
+                                                    let _e1083 = (6u + _e465);
+                                                    if (_e1083 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1088 = global_2.member[_e1025].member[_e1082];
-                                                    let _e1089 = (6u + _e470);
-                                                    if (_e1089 < 9u) {
+                                                    let _e1089 = global_2.member[_e1026].member[_e1083];
+                                                    let _e1090 = (6u + _e471);
+                                                    if (_e1090 < 9u) {
                                                     } else {
-                                                        phi_3446_ = true;
+                                                        phi_3444_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_2.member[_e1025].member[_e1089];
-                                                    phi_1100_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1039, _e1045, _e1051), array<f32, 3>(_e1059, _e1066, _e1073), array<f32, 3>(_e1081, _e1088, _e1095));
+                                                    let _e1096 = global_2.member[_e1026].member[_e1090];
+                                                    phi_1101_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1040, _e1046, _e1052), array<f32, 3>(_e1060, _e1067, _e1074), array<f32, 3>(_e1082, _e1089, _e1096));
                                                 }
-                                                let _e1099 = phi_1100_;
-                                                let _e1107 = (_e1099[0][2] - _e380);
-                                                let _e1110 = (((_e1099[0][0] - _e303) * _e404) - (_e1107 * _e328));
-                                                let _e1113 = (((_e1099[0][1] - _e342) * _e404) - (_e1107 * _e366));
-                                                let _e1120 = (_e1099[1][2] - _e380);
-                                                let _e1123 = (((_e1099[1][0] - _e303) * _e404) - (_e1120 * _e328));
-                                                let _e1126 = (((_e1099[1][1] - _e342) * _e404) - (_e1120 * _e366));
-                                                let _e1133 = (_e1099[2][2] - _e380);
-                                                let _e1136 = (((_e1099[2][0] - _e303) * _e404) - (_e1133 * _e328));
-                                                let _e1139 = (((_e1099[2][1] - _e342) * _e404) - (_e1133 * _e366));
-                                                let _e1140 = (_e1136 * _e1126);
-                                                let _e1141 = (_e1139 * _e1123);
-                                                let _e1142 = (_e1110 * _e1139);
-                                                let _e1143 = (_e1113 * _e1136);
-                                                let _e1144 = (_e1123 * _e1113);
-                                                let _e1145 = (_e1126 * _e1110);
-                                                let _e1150 = (((_e1140 >= _e1141) && (_e1142 >= _e1143)) && (_e1144 >= _e1145));
-                                                if (_e1150 || (((_e1140 <= _e1141) && (_e1142 <= _e1143)) && (_e1144 <= _e1145))) {
-                                                    let _e1157 = select(-1f, 1f, _e1150);
-                                                    let _e1159 = ((_e1140 - _e1141) * _e1157);
-                                                    let _e1161 = select(0f, _e1159, (_e1159 > 0f));
-                                                    let _e1163 = ((_e1142 - _e1143) * _e1157);
-                                                    let _e1165 = select(0f, _e1163, (_e1163 > 0f));
-                                                    let _e1167 = ((_e1144 - _e1145) * _e1157);
-                                                    let _e1169 = select(0f, _e1167, (_e1167 > 0f));
-                                                    let _e1171 = ((_e1161 + _e1165) + _e1169);
-                                                    if (_e1171 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1928_ = type_21();
-                                                        phi_1929_ = true;
-                                                        phi_1930_ = false;
+                                                let _e1100 = phi_1101_;
+                                                let _e1108 = (_e1100[0][2] - _e381);
+                                                let _e1111 = (((_e1100[0][0] - _e304) * _e405) - (_e1108 * _e329));
+                                                let _e1114 = (((_e1100[0][1] - _e343) * _e405) - (_e1108 * _e367));
+                                                let _e1121 = (_e1100[1][2] - _e381);
+                                                let _e1124 = (((_e1100[1][0] - _e304) * _e405) - (_e1121 * _e329));
+                                                let _e1127 = (((_e1100[1][1] - _e343) * _e405) - (_e1121 * _e367));
+                                                let _e1134 = (_e1100[2][2] - _e381);
+                                                let _e1137 = (((_e1100[2][0] - _e304) * _e405) - (_e1134 * _e329));
+                                                let _e1140 = (((_e1100[2][1] - _e343) * _e405) - (_e1134 * _e367));
+                                                let _e1141 = (_e1137 * _e1127);
+                                                let _e1142 = (_e1140 * _e1124);
+                                                let _e1143 = (_e1111 * _e1140);
+                                                let _e1144 = (_e1114 * _e1137);
+                                                let _e1145 = (_e1124 * _e1114);
+                                                let _e1146 = (_e1127 * _e1111);
+                                                let _e1151 = (((_e1141 >= _e1142) && (_e1143 >= _e1144)) && (_e1145 >= _e1146));
+                                                if (_e1151 || (((_e1141 <= _e1142) && (_e1143 <= _e1144)) && (_e1145 <= _e1146))) {
+                                                    let _e1158 = select(-1f, 1f, _e1151);
+                                                    let _e1160 = ((_e1141 - _e1142) * _e1158);
+                                                    let _e1162 = select(0f, _e1160, (_e1160 > 0f));
+                                                    let _e1164 = ((_e1143 - _e1144) * _e1158);
+                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
+                                                    let _e1168 = ((_e1145 - _e1146) * _e1158);
+                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
+                                                    let _e1172 = ((_e1162 + _e1166) + _e1170);
+                                                    if (_e1172 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1926_ = type_21();
+                                                        phi_1927_ = true;
+                                                        phi_1928_ = false;
                                                     } else {
-                                                        let _e1174 = select(_e1123, _e1110, (_e1110 < _e1123));
-                                                        if (select(_e1136, _e1174, (_e1174 < _e1136)) > 0f) {
-                                                            phi_1217_ = true;
+                                                        let _e1175 = select(_e1124, _e1111, (_e1111 < _e1124));
+                                                        if (select(_e1137, _e1175, (_e1175 < _e1137)) > 0f) {
+                                                            phi_1218_ = true;
                                                         } else {
-                                                            let _e1179 = select(_e1123, _e1110, (_e1110 > _e1123));
-                                                            phi_1217_ = (select(_e1136, _e1179, (_e1179 > _e1136)) < 0f);
+                                                            let _e1180 = select(_e1124, _e1111, (_e1111 > _e1124));
+                                                            phi_1218_ = (select(_e1137, _e1180, (_e1180 > _e1137)) < 0f);
                                                         }
-                                                        let _e1184 = phi_1217_;
-                                                        if _e1184 {
-                                                            phi_1925_ = type_21();
-                                                            phi_1926_ = true;
-                                                            phi_1927_ = false;
+                                                        let _e1185 = phi_1218_;
+                                                        if _e1185 {
+                                                            phi_1923_ = type_21();
+                                                            phi_1924_ = true;
+                                                            phi_1925_ = false;
                                                         } else {
-                                                            let _e1186 = select(_e1126, _e1113, (_e1113 < _e1126));
-                                                            if (select(_e1139, _e1186, (_e1186 < _e1139)) > 0f) {
-                                                                phi_1246_ = true;
+                                                            let _e1187 = select(_e1127, _e1114, (_e1114 < _e1127));
+                                                            if (select(_e1140, _e1187, (_e1187 < _e1140)) > 0f) {
+                                                                phi_1247_ = true;
                                                             } else {
-                                                                let _e1191 = select(_e1126, _e1113, (_e1113 > _e1126));
-                                                                phi_1246_ = (select(_e1139, _e1191, (_e1191 > _e1139)) < 0f);
+                                                                let _e1192 = select(_e1127, _e1114, (_e1114 > _e1127));
+                                                                phi_1247_ = (select(_e1140, _e1192, (_e1192 > _e1140)) < 0f);
                                                             }
-                                                            let _e1196 = phi_1246_;
-                                                            if _e1196 {
-                                                                phi_1923_ = type_21();
-                                                                phi_1924_ = false;
+                                                            let _e1197 = phi_1247_;
+                                                            if _e1197 {
+                                                                phi_1921_ = type_21();
+                                                                phi_1922_ = false;
                                                             } else {
-                                                                let _e1198 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] < _e1099[1][0]));
-                                                                let _e1202 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] > _e1099[1][0]));
-                                                                let _e1206 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] < _e1099[1][1]));
-                                                                let _e1210 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] > _e1099[1][1]));
-                                                                let _e1214 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] < _e1099[1][2]));
-                                                                let _e1218 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] > _e1099[1][2]));
-                                                                let _e1223 = ((select(_e1099[2][0], _e1198, (_e1198 < _e1099[2][0])) - _e326) * _e331);
-                                                                let _e1224 = ((select(_e1099[2][0], _e1202, (_e1202 > _e1099[2][0])) - _e327) * _e331);
-                                                                let _e1227 = ((select(_e1099[2][1], _e1206, (_e1206 < _e1099[2][1])) - _e364) * _e369);
-                                                                let _e1228 = ((select(_e1099[2][1], _e1210, (_e1210 > _e1099[2][1])) - _e365) * _e369);
-                                                                let _e1231 = ((select(_e1099[2][2], _e1214, (_e1214 < _e1099[2][2])) - _e402) * _e407);
-                                                                let _e1232 = ((select(_e1099[2][2], _e1218, (_e1218 > _e1099[2][2])) - _e403) * _e407);
-                                                                let _e1234 = select(_e1232, _e1231, (_e1231 < _e1232));
-                                                                let _e1236 = select(_e1232, _e1231, (_e1231 > _e1232));
-                                                                let _e1238 = select(_e1224, _e1223, (_e1223 < _e1224));
-                                                                let _e1240 = select(_e1228, _e1227, (_e1227 < _e1228));
-                                                                let _e1242 = select(_e1240, _e1238, (_e1238 > _e1240));
-                                                                let _e1244 = select(_e1234, _e1242, (_e1242 > _e1234));
-                                                                let _e1246 = select(_e1224, _e1223, (_e1223 > _e1224));
-                                                                let _e1248 = select(_e1228, _e1227, (_e1227 > _e1228));
-                                                                let _e1250 = select(_e1248, _e1246, (_e1246 < _e1248));
-                                                                let _e1252 = select(_e1236, _e1250, (_e1250 < _e1236));
-                                                                let _e1253 = -(_e1234);
-                                                                let _e1259 = select(_e454, _e1244, (_e1244 > _e454));
-                                                                if (_e1259 > (_e1252 + (select(_e1253, _e1236, (_e1236 > _e1253)) * 0.0000019073523f))) {
-                                                                    phi_1918_ = type_21();
-                                                                    phi_1919_ = true;
+                                                                let _e1199 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] < _e1100[1][0]));
+                                                                let _e1203 = select(_e1100[1][0], _e1100[0][0], (_e1100[0][0] > _e1100[1][0]));
+                                                                let _e1207 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] < _e1100[1][1]));
+                                                                let _e1211 = select(_e1100[1][1], _e1100[0][1], (_e1100[0][1] > _e1100[1][1]));
+                                                                let _e1215 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] < _e1100[1][2]));
+                                                                let _e1219 = select(_e1100[1][2], _e1100[0][2], (_e1100[0][2] > _e1100[1][2]));
+                                                                let _e1224 = ((select(_e1100[2][0], _e1199, (_e1199 < _e1100[2][0])) - _e327) * _e332);
+                                                                let _e1225 = ((select(_e1100[2][0], _e1203, (_e1203 > _e1100[2][0])) - _e328) * _e332);
+                                                                let _e1228 = ((select(_e1100[2][1], _e1207, (_e1207 < _e1100[2][1])) - _e365) * _e370);
+                                                                let _e1229 = ((select(_e1100[2][1], _e1211, (_e1211 > _e1100[2][1])) - _e366) * _e370);
+                                                                let _e1232 = ((select(_e1100[2][2], _e1215, (_e1215 < _e1100[2][2])) - _e403) * _e408);
+                                                                let _e1233 = ((select(_e1100[2][2], _e1219, (_e1219 > _e1100[2][2])) - _e404) * _e408);
+                                                                let _e1235 = select(_e1233, _e1232, (_e1232 < _e1233));
+                                                                let _e1237 = select(_e1233, _e1232, (_e1232 > _e1233));
+                                                                let _e1239 = select(_e1225, _e1224, (_e1224 < _e1225));
+                                                                let _e1241 = select(_e1229, _e1228, (_e1228 < _e1229));
+                                                                let _e1243 = select(_e1241, _e1239, (_e1239 > _e1241));
+                                                                let _e1245 = select(_e1235, _e1243, (_e1243 > _e1235));
+                                                                let _e1247 = select(_e1225, _e1224, (_e1224 > _e1225));
+                                                                let _e1249 = select(_e1229, _e1228, (_e1228 > _e1229));
+                                                                let _e1251 = select(_e1249, _e1247, (_e1247 < _e1249));
+                                                                let _e1253 = select(_e1237, _e1251, (_e1251 < _e1237));
+                                                                let _e1254 = -(_e1235);
+                                                                let _e1260 = select(_e455, _e1245, (_e1245 > _e455));
+                                                                if (_e1260 > (_e1253 + (select(_e1254, _e1237, (_e1237 > _e1254)) * 0.0000019073523f))) {
+                                                                    phi_1916_ = type_21();
+                                                                    phi_1917_ = true;
                                                                 } else {
-                                                                    let _e1261 = (_e1259 > _e1003.member_1);
-                                                                    if _e1261 {
-                                                                        phi_1917_ = type_21();
+                                                                    let _e1262 = (_e1260 > _e1004.member_1);
+                                                                    if _e1262 {
+                                                                        phi_1915_ = type_21();
                                                                     } else {
-                                                                        let _e1262 = vec3<f32>(_e1099[0][0], _e1099[0][1], _e1099[0][2]);
-                                                                        let _e1263 = vec3<f32>(_e1099[1][0], _e1099[1][1], _e1099[1][2]);
-                                                                        let _e1264 = vec3<f32>(_e1099[2][0], _e1099[2][1], _e1099[2][2]);
-                                                                        let _e1265 = (_e1099[1][0] - _e1099[0][0]);
-                                                                        let _e1266 = (_e1099[1][1] - _e1099[0][1]);
-                                                                        let _e1267 = (_e1099[1][2] - _e1099[0][2]);
-                                                                        let _e1268 = vec3<f32>(_e1265, _e1266, _e1267);
-                                                                        let _e1269 = (_e1099[2][0] - _e1099[1][0]);
-                                                                        let _e1270 = (_e1099[2][1] - _e1099[1][1]);
-                                                                        let _e1271 = (_e1099[2][2] - _e1099[1][2]);
-                                                                        let _e1272 = vec3<f32>(_e1269, _e1270, _e1271);
-                                                                        let _e1273 = (_e1099[0][0] - _e1099[2][0]);
-                                                                        let _e1274 = (_e1099[0][1] - _e1099[2][1]);
-                                                                        let _e1275 = (_e1099[0][2] - _e1099[2][2]);
-                                                                        let _e1276 = vec3<f32>(_e1273, _e1274, _e1275);
-                                                                        let _e1279 = bitcast<f32>((bitcast<u32>(_e1265) & 2147483647u));
-                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                        let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
-                                                                        let _e1287 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
-                                                                        let _e1289 = select(_e1287, _e1284, (_e1284 > _e1287));
-                                                                        let _e1292 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
-                                                                        let _e1295 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                        let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
-                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
-                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
-                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
-                                                                        let _e1308 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
-                                                                        let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
-                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                        let _e1315 = select(_e1313, _e1310, (_e1310 > _e1313));
-                                                                        let _e1317 = select(_e1302, _e1289, (_e1289 > _e1302));
-                                                                        let _e1319 = select(_e1315, _e1317, (_e1317 > _e1315));
-                                                                        if (_e1289 == _e1319) {
-                                                                            phi_1647_ = _e1126;
-                                                                            phi_1648_ = _e1123;
-                                                                            phi_1649_ = _e1113;
-                                                                            phi_1650_ = _e1110;
-                                                                            phi_1651_ = _e1262;
-                                                                            phi_1652_ = _e1276;
-                                                                            phi_1653_ = _e1272;
-                                                                            phi_1654_ = _e1268;
+                                                                        let _e1263 = vec3<f32>(_e1100[0][0], _e1100[0][1], _e1100[0][2]);
+                                                                        let _e1264 = vec3<f32>(_e1100[1][0], _e1100[1][1], _e1100[1][2]);
+                                                                        let _e1265 = vec3<f32>(_e1100[2][0], _e1100[2][1], _e1100[2][2]);
+                                                                        let _e1266 = (_e1100[1][0] - _e1100[0][0]);
+                                                                        let _e1267 = (_e1100[1][1] - _e1100[0][1]);
+                                                                        let _e1268 = (_e1100[1][2] - _e1100[0][2]);
+                                                                        let _e1269 = vec3<f32>(_e1266, _e1267, _e1268);
+                                                                        let _e1270 = (_e1100[2][0] - _e1100[1][0]);
+                                                                        let _e1271 = (_e1100[2][1] - _e1100[1][1]);
+                                                                        let _e1272 = (_e1100[2][2] - _e1100[1][2]);
+                                                                        let _e1273 = vec3<f32>(_e1270, _e1271, _e1272);
+                                                                        let _e1274 = (_e1100[0][0] - _e1100[2][0]);
+                                                                        let _e1275 = (_e1100[0][1] - _e1100[2][1]);
+                                                                        let _e1276 = (_e1100[0][2] - _e1100[2][2]);
+                                                                        let _e1277 = vec3<f32>(_e1274, _e1275, _e1276);
+                                                                        let _e1280 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
+                                                                        let _e1283 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+                                                                        let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
+                                                                        let _e1288 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
+                                                                        let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
+                                                                        let _e1293 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
+                                                                        let _e1296 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
+                                                                        let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
+                                                                        let _e1301 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
+                                                                        let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
+                                                                        let _e1306 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
+                                                                        let _e1309 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                        let _e1311 = select(_e1309, _e1306, (_e1306 > _e1309));
+                                                                        let _e1314 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
+                                                                        let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
+                                                                        let _e1318 = select(_e1303, _e1290, (_e1290 > _e1303));
+                                                                        let _e1320 = select(_e1316, _e1318, (_e1318 > _e1316));
+                                                                        if (_e1290 == _e1320) {
+                                                                            phi_1648_ = _e1127;
+                                                                            phi_1649_ = _e1124;
+                                                                            phi_1650_ = _e1114;
+                                                                            phi_1651_ = _e1111;
+                                                                            phi_1652_ = _e1263;
+                                                                            phi_1653_ = _e1277;
+                                                                            phi_1654_ = _e1273;
+                                                                            phi_1655_ = _e1269;
                                                                         } else {
-                                                                            let _e1321 = (_e1302 == _e1319);
-                                                                            let _e1326 = vec3(_e1321);
-                                                                            phi_1647_ = select(_e1113, _e1139, _e1321);
-                                                                            phi_1648_ = select(_e1110, _e1136, _e1321);
-                                                                            phi_1649_ = select(_e1139, _e1126, _e1321);
-                                                                            phi_1650_ = select(_e1136, _e1123, _e1321);
-                                                                            phi_1651_ = select(_e1264, _e1263, _e1326);
-                                                                            phi_1652_ = select(_e1272, _e1268, _e1326);
-                                                                            phi_1653_ = select(_e1268, _e1276, _e1326);
-                                                                            phi_1654_ = select(_e1276, _e1272, _e1326);
+                                                                            let _e1322 = (_e1303 == _e1320);
+                                                                            let _e1327 = vec3(_e1322);
+                                                                            phi_1648_ = select(_e1114, _e1140, _e1322);
+                                                                            phi_1649_ = select(_e1111, _e1137, _e1322);
+                                                                            phi_1650_ = select(_e1140, _e1127, _e1322);
+                                                                            phi_1651_ = select(_e1137, _e1124, _e1322);
+                                                                            phi_1652_ = select(_e1265, _e1264, _e1327);
+                                                                            phi_1653_ = select(_e1273, _e1269, _e1327);
+                                                                            phi_1654_ = select(_e1269, _e1277, _e1327);
+                                                                            phi_1655_ = select(_e1277, _e1273, _e1327);
                                                                         }
-                                                                        let _e1332 = phi_1647_;
-                                                                        let _e1334 = phi_1648_;
-                                                                        let _e1336 = phi_1649_;
-                                                                        let _e1338 = phi_1650_;
-                                                                        let _e1340 = phi_1651_;
-                                                                        let _e1342 = phi_1652_;
-                                                                        let _e1344 = phi_1653_;
-                                                                        let _e1346 = phi_1654_;
-                                                                        let _e1353 = ((_e1344.y * _e1342.z) - (_e1342.y * _e1344.z));
-                                                                        let _e1358 = ((_e1344.z * _e1342.x) - (_e1342.z * _e1344.x));
-                                                                        let _e1361 = ((_e1344.x * _e1342.y) - (_e1342.x * _e1344.y));
-                                                                        if (_e1161 >= _e1165) {
-                                                                            phi_1685_ = select(true, false, (_e1161 >= _e1169));
+                                                                        let _e1333 = phi_1648_;
+                                                                        let _e1335 = phi_1649_;
+                                                                        let _e1337 = phi_1650_;
+                                                                        let _e1339 = phi_1651_;
+                                                                        let _e1341 = phi_1652_;
+                                                                        let _e1343 = phi_1653_;
+                                                                        let _e1345 = phi_1654_;
+                                                                        let _e1347 = phi_1655_;
+                                                                        let _e1354 = ((_e1345.y * _e1343.z) - (_e1343.y * _e1345.z));
+                                                                        let _e1359 = ((_e1345.z * _e1343.x) - (_e1343.z * _e1345.x));
+                                                                        let _e1362 = ((_e1345.x * _e1343.y) - (_e1343.x * _e1345.y));
+                                                                        if (_e1162 >= _e1166) {
+                                                                            phi_1686_ = select(true, false, (_e1162 >= _e1170));
                                                                         } else {
-                                                                            phi_1685_ = true;
+                                                                            phi_1686_ = true;
                                                                         }
-                                                                        let _e1366 = phi_1685_;
-                                                                        if _e1366 {
-                                                                            phi_1694_ = select(_e1264, _e1263, vec3((_e1165 >= _e1169)));
+                                                                        let _e1367 = phi_1686_;
+                                                                        if _e1367 {
+                                                                            phi_1695_ = select(_e1265, _e1264, vec3((_e1166 >= _e1170)));
                                                                         } else {
-                                                                            phi_1694_ = _e1262;
+                                                                            phi_1695_ = _e1263;
                                                                         }
-                                                                        let _e1371 = phi_1694_;
-                                                                        let _e1376 = (((_e1353 * _e328) + (_e1358 * _e366)) + (_e1361 * _e404));
-                                                                        let _e1387 = (((_e1353 * (_e1371.x - _e303)) + (_e1358 * (_e1371.y - _e342))) + (_e1361 * (_e1371.z - _e380)));
-                                                                        let _e1389 = (_e1334 - _e1338);
-                                                                        let _e1390 = (_e1332 - _e1336);
-                                                                        let _e1398 = (-(((_e1338 * _e1389) + (_e1336 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
+                                                                        let _e1372 = phi_1695_;
+                                                                        let _e1383 = (((_e1354 * (_e1372.x - _e304)) + (_e1359 * (_e1372.y - _e343))) + (_e1362 * (_e1372.z - _e381)));
+                                                                        let _e1388 = (((_e1354 * _e329) + (_e1359 * _e367)) + (_e1362 * _e405));
+                                                                        let _e1389 = (_e1335 - _e1339);
+                                                                        let _e1390 = (_e1333 - _e1337);
+                                                                        let _e1398 = (-(((_e1339 * _e1389) + (_e1337 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
                                                                         let _e1400 = select(1f, _e1398, (_e1398 < 1f));
                                                                         let _e1402 = select(0f, _e1400, (_e1400 > 0f));
-                                                                        let _e1415 = ((_e1340.x + (_e1346.x * _e1402)) - _e303);
-                                                                        let _e1416 = ((_e1340.y + (_e1346.y * _e1402)) - _e342);
-                                                                        let _e1417 = ((_e1340.z + (_e1346.z * _e1402)) - _e380);
-                                                                        let _e1418 = (_e1417 / _e404);
+                                                                        let _e1415 = ((_e1341.x + (_e1347.x * _e1402)) - _e304);
+                                                                        let _e1416 = ((_e1341.y + (_e1347.y * _e1402)) - _e343);
+                                                                        let _e1417 = ((_e1341.z + (_e1347.z * _e1402)) - _e381);
+                                                                        let _e1418 = (_e1417 / _e405);
                                                                         let _e1430 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
                                                                         let _e1433 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
                                                                         let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
                                                                         let _e1438 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
                                                                         let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
-                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u));
-                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u));
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
                                                                         let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1353 * _e1415) + (_e1358 * _e1416)) + (_e1361 * _e1417)) - _e1387)) & 2147483647u)) <= ((0.0000009536743f * select(_e1319, _e1440, (_e1440 > _e1319))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
-                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1344.x) & 2147483647u));
-                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1344.y) & 2147483647u));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1354 * _e1415) + (_e1359 * _e1416)) + (_e1362 * _e1417)) - _e1383)) & 2147483647u)) <= ((0.0000009536743f * select(_e1320, _e1440, (_e1440 > _e1320))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
+                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u));
+                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u));
                                                                             let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
-                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1344.z) & 2147483647u));
-                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1342.x) & 2147483647u));
-                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1342.y) & 2147483647u));
+                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u));
+                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1343.x) & 2147483647u));
+                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1343.y) & 2147483647u));
                                                                             let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1342.z) & 2147483647u));
-                                                                            phi_1861_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1376) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486)))));
-                                                                        } else {
-                                                                            phi_1861_ = true;
-                                                                        }
-                                                                        let _e1493 = phi_1861_;
-                                                                        if _e1493 {
-                                                                            let _e1504 = ((((_e1353 * (_e1415 - (_e328 * _e1418))) + (_e1358 * (_e1416 - (_e366 * _e1418)))) + (_e1361 * (_e1417 - _e1417))) / _e1376);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u)) <= _e1319) {
-                                                                                phi_1885_ = (_e1418 + _e1504);
+                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1343.z) & 2147483647u));
+                                                                            let _e1490 = (bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486))));
+                                                                            if _e1490 {
+                                                                                phi_1860_ = (_e1383 / _e1388);
                                                                             } else {
-                                                                                phi_1885_ = _e1418;
+                                                                                phi_1860_ = f32();
                                                                             }
-                                                                            let _e1511 = phi_1885_;
-                                                                            phi_1886_ = _e1511;
+                                                                            let _e1493 = phi_1860_;
+                                                                            phi_1862_ = _e1493;
+                                                                            phi_1863_ = select(true, false, _e1490);
                                                                         } else {
-                                                                            phi_1886_ = (_e1387 / _e1376);
+                                                                            phi_1862_ = f32();
+                                                                            phi_1863_ = true;
                                                                         }
-                                                                        let _e1513 = phi_1886_;
-                                                                        let _e1515 = select(_e1252, _e1513, (_e1513 < _e1252));
-                                                                        let _e1517 = select(_e1244, _e1515, (_e1515 > _e1244));
-                                                                        if (_e1517 >= _e454) {
-                                                                            let _e1519 = (_e1517 <= _e1003.member_1);
-                                                                            if _e1519 {
-                                                                                let _e1520 = (1f / _e1171);
-                                                                                phi_1909_ = type_21(_e1517, (_e1165 * _e1520), (_e1169 * _e1520), _e1032);
+                                                                        let _e1496 = phi_1862_;
+                                                                        let _e1498 = phi_1863_;
+                                                                        if _e1498 {
+                                                                            let _e1506 = (((_e1354 * (_e1415 - (_e329 * _e1418))) + (_e1359 * (_e1416 - (_e367 * _e1418)))) / _e1388);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) <= _e1320) {
+                                                                                phi_1883_ = (_e1418 + _e1506);
                                                                             } else {
-                                                                                phi_1909_ = type_21();
+                                                                                phi_1883_ = _e1418;
                                                                             }
-                                                                            let _e1525 = phi_1909_;
-                                                                            phi_1911_ = _e1525;
-                                                                            phi_1912_ = select(true, false, _e1519);
+                                                                            let _e1513 = phi_1883_;
+                                                                            phi_1884_ = _e1513;
                                                                         } else {
-                                                                            phi_1911_ = type_21();
-                                                                            phi_1912_ = true;
+                                                                            phi_1884_ = _e1496;
                                                                         }
-                                                                        let _e1528 = phi_1911_;
-                                                                        let _e1530 = phi_1912_;
-                                                                        if _e1530 {
-                                                                            phi_1916_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1515 = phi_1884_;
+                                                                        let _e1517 = select(_e1253, _e1515, (_e1515 < _e1253));
+                                                                        let _e1519 = select(_e1245, _e1517, (_e1517 > _e1245));
+                                                                        if (_e1519 >= _e455) {
+                                                                            let _e1521 = (_e1519 <= _e1004.member_1);
+                                                                            if _e1521 {
+                                                                                let _e1522 = (1f / _e1172);
+                                                                                phi_1907_ = type_21(_e1519, (_e1166 * _e1522), (_e1170 * _e1522), _e1033);
+                                                                            } else {
+                                                                                phi_1907_ = type_21();
+                                                                            }
+                                                                            let _e1527 = phi_1907_;
+                                                                            phi_1909_ = _e1527;
+                                                                            phi_1910_ = select(true, false, _e1521);
                                                                         } else {
-                                                                            phi_1916_ = _e1528;
+                                                                            phi_1909_ = type_21();
+                                                                            phi_1910_ = true;
                                                                         }
-                                                                        let _e1532 = phi_1916_;
-                                                                        phi_1917_ = _e1532;
+                                                                        let _e1530 = phi_1909_;
+                                                                        let _e1532 = phi_1910_;
+                                                                        if _e1532 {
+                                                                            phi_1914_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1914_ = _e1530;
+                                                                        }
+                                                                        let _e1534 = phi_1914_;
+                                                                        phi_1915_ = _e1534;
                                                                     }
-                                                                    let _e1534 = phi_1917_;
-                                                                    phi_1918_ = _e1534;
-                                                                    phi_1919_ = _e1261;
+                                                                    let _e1536 = phi_1915_;
+                                                                    phi_1916_ = _e1536;
+                                                                    phi_1917_ = _e1262;
                                                                 }
-                                                                let _e1536 = phi_1918_;
-                                                                let _e1538 = phi_1919_;
-                                                                phi_1923_ = _e1536;
-                                                                phi_1924_ = _e1538;
+                                                                let _e1538 = phi_1916_;
+                                                                let _e1540 = phi_1917_;
+                                                                phi_1921_ = _e1538;
+                                                                phi_1922_ = _e1540;
                                                             }
-                                                            let _e1540 = phi_1923_;
-                                                            let _e1542 = phi_1924_;
-                                                            phi_1925_ = _e1540;
-                                                            phi_1926_ = _e1196;
-                                                            phi_1927_ = _e1542;
+                                                            let _e1542 = phi_1921_;
+                                                            let _e1544 = phi_1922_;
+                                                            phi_1923_ = _e1542;
+                                                            phi_1924_ = _e1197;
+                                                            phi_1925_ = _e1544;
                                                         }
-                                                        let _e1544 = phi_1925_;
-                                                        let _e1546 = phi_1926_;
-                                                        let _e1548 = phi_1927_;
-                                                        phi_1928_ = _e1544;
-                                                        phi_1929_ = _e1546;
-                                                        phi_1930_ = _e1548;
+                                                        let _e1546 = phi_1923_;
+                                                        let _e1548 = phi_1924_;
+                                                        let _e1550 = phi_1925_;
+                                                        phi_1926_ = _e1546;
+                                                        phi_1927_ = _e1548;
+                                                        phi_1928_ = _e1550;
                                                     }
-                                                    let _e1550 = phi_1928_;
-                                                    let _e1552 = phi_1929_;
-                                                    let _e1554 = phi_1930_;
-                                                    phi_1938_ = _e1550;
-                                                    phi_1939_ = select(_e1554, true, _e1552);
+                                                    let _e1552 = phi_1926_;
+                                                    let _e1554 = phi_1927_;
+                                                    let _e1556 = phi_1928_;
+                                                    phi_1936_ = _e1552;
+                                                    phi_1937_ = select(_e1556, true, _e1554);
                                                 } else {
-                                                    phi_1938_ = type_21();
-                                                    phi_1939_ = true;
+                                                    phi_1936_ = type_21();
+                                                    phi_1937_ = true;
                                                 }
-                                                let _e1557 = phi_1938_;
-                                                let _e1559 = phi_1939_;
-                                                if _e1559 {
-                                                    phi_1943_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1559 = phi_1936_;
+                                                let _e1561 = phi_1937_;
+                                                if _e1561 {
+                                                    phi_1941_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1943_ = _e1557;
+                                                    phi_1941_ = _e1559;
                                                 }
-                                                let _e1561 = phi_1943_;
-                                                if (_e1561.member_3 != 4294967295u) {
-                                                    if (_e1032 != 4294967295u) {
-                                                        if (_e1561.member < _e1003.member.member) {
-                                                            phi_1969_ = true;
+                                                let _e1563 = phi_1941_;
+                                                if (_e1563.member_3 != 4294967295u) {
+                                                    if (_e1033 != 4294967295u) {
+                                                        if (_e1563.member < _e1004.member.member) {
+                                                            phi_1967_ = true;
                                                         } else {
-                                                            if (_e1561.member == _e1003.member.member) {
-                                                                phi_1968_ = (_e1561.member_3 < _e1003.member.member_3);
+                                                            if (_e1563.member == _e1004.member.member) {
+                                                                phi_1966_ = (_e1563.member_3 < _e1004.member.member_3);
                                                             } else {
-                                                                phi_1968_ = false;
+                                                                phi_1966_ = false;
                                                             }
-                                                            let _e1574 = phi_1968_;
-                                                            phi_1969_ = _e1574;
+                                                            let _e1576 = phi_1966_;
+                                                            phi_1967_ = _e1576;
                                                         }
-                                                        let _e1576 = phi_1969_;
-                                                        if _e1576 {
-                                                            phi_1975_ = type_33(_e1561, _e1561.member);
+                                                        let _e1578 = phi_1967_;
+                                                        if _e1578 {
+                                                            phi_1973_ = type_33(_e1563, _e1563.member);
                                                         } else {
-                                                            phi_1975_ = _e1003;
+                                                            phi_1973_ = _e1004;
                                                         }
-                                                        let _e1579 = phi_1975_;
-                                                        phi_1976_ = _e1579;
+                                                        let _e1581 = phi_1973_;
+                                                        phi_1974_ = _e1581;
                                                     } else {
-                                                        phi_1976_ = _e1003;
+                                                        phi_1974_ = _e1004;
                                                     }
-                                                    let _e1581 = phi_1976_;
-                                                    phi_1977_ = _e1581;
+                                                    let _e1583 = phi_1974_;
+                                                    phi_1975_ = _e1583;
                                                 } else {
-                                                    phi_1977_ = _e1003;
+                                                    phi_1975_ = _e1004;
                                                 }
-                                                let _e1583 = phi_1977_;
-                                                phi_965_ = _e1583;
+                                                let _e1585 = phi_1975_;
+                                                phi_966_ = _e1585;
                                             } else {
-                                                phi_965_ = type_33();
+                                                phi_966_ = type_33();
                                             }
-                                            let _e1585 = phi_965_;
+                                            let _e1587 = phi_966_;
                                             continue;
                                             continuing {
-                                                phi_964_ = _e1585;
-                                                phi_967_ = _e1018;
-                                                phi_3446_ = _e496;
-                                                break if !(_e1024);
+                                                phi_965_ = _e1587;
+                                                phi_968_ = _e1019;
+                                                phi_3444_ = _e497;
+                                                break if !(_e1025);
                                             }
                                         }
-                                        let _e1588 = phi_3446_;
-                                        phi_3588_ = _e1588;
-                                        if _e1588 {
+                                        let _e1590 = phi_3444_;
+                                        phi_3586_ = _e1590;
+                                        if _e1590 {
                                             break;
                                         }
-                                        phi_3592_ = _e1588;
-                                        let _e1780 = local_11;
-                                        phi_3182_ = _e1780;
-                                        phi_3183_ = _e537;
-                                        phi_3184_ = false;
-                                        phi_3185_ = _e541;
+                                        phi_3590_ = _e1590;
+                                        let _e1784 = local_11;
+                                        phi_3180_ = _e1784;
+                                        phi_3181_ = _e538;
+                                        phi_3182_ = false;
+                                        phi_3183_ = _e542;
                                     } else {
-                                        if (_e537.member_1 >= _e84) {
-                                            phi_2738_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e538.member_1 >= _e85) {
+                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e537.member_1 < _e84) {
+                                            if (_e538.member_1 < _e85) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e552 = (_e254 * 2u);
-                                            let _e554 = ((1u + _e552) % 7u);
-                                            if (_e554 < 7u) {
+                                            let _e553 = (_e255 * 2u);
+                                            let _e555 = ((1u + _e553) % 7u);
+                                            if (_e555 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e559 = global_5.member[_e537.member_1][_e554];
-                                            let _e561 = ((_e552 + 2u) % 7u);
-                                            if (_e561 < 7u) {
+                                            let _e560 = global_5.member[_e538.member_1][_e555];
+                                            let _e562 = ((_e553 + 2u) % 7u);
+                                            if (_e562 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_5.member[_e537.member_1][_e561];
-                                            let _e567 = (_e253 * 2u);
-                                            let _e569 = ((1u + _e567) % 7u);
-                                            if (_e569 < 7u) {
+                                            let _e567 = global_5.member[_e538.member_1][_e562];
+                                            let _e568 = (_e254 * 2u);
+                                            let _e570 = ((1u + _e568) % 7u);
+                                            if (_e570 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_5.member[_e537.member_1][_e569];
-                                            let _e576 = ((_e567 + 2u) % 7u);
-                                            if (_e576 < 7u) {
+                                            let _e575 = global_5.member[_e538.member_1][_e570];
+                                            let _e577 = ((_e568 + 2u) % 7u);
+                                            if (_e577 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e581 = global_5.member[_e537.member_1][_e576];
-                                            let _e582 = (_e255 * 2u);
-                                            let _e584 = ((1u + _e582) % 7u);
-                                            if (_e584 < 7u) {
+                                            let _e582 = global_5.member[_e538.member_1][_e577];
+                                            let _e583 = (_e256 * 2u);
+                                            let _e585 = ((1u + _e583) % 7u);
+                                            if (_e585 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e589 = global_5.member[_e537.member_1][_e584];
-                                            let _e591 = ((_e582 + 2u) % 7u);
-                                            if (_e591 < 7u) {
+                                            let _e590 = global_5.member[_e538.member_1][_e585];
+                                            let _e592 = ((_e583 + 2u) % 7u);
+                                            if (_e592 < 7u) {
                                             } else {
-                                                phi_3588_ = true;
+                                                phi_3586_ = true;
                                                 break;
                                             }
-                                            let _e596 = global_5.member[_e537.member_1][_e591];
-                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e623 = select(_e134, _e619, (_e619 > _e134));
-                                            let _e625 = select(_e134, _e620, (_e620 > _e134));
-                                            let _e627 = select(_e134, _e621, (_e621 > _e134));
-                                            let _e652 = bitcast<u32>((f32(bitcast<i32>((_e559 & 2097151u))) * _e623));
-                                            let _e657 = (bitcast<i32>((_e559 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e660 = bitcast<f32>((_e652 & bitcast<u32>(_e657)));
-                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e625));
-                                            let _e666 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e627));
-                                            let _e675 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                            let _e682 = bitcast<f32>((_e652 & bitcast<u32>(~(_e657))));
-                                            let _e686 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                            let _e690 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                            let _e691 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e623));
-                                            let _e696 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e699 = bitcast<f32>((_e691 & bitcast<u32>(_e696)));
-                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e625));
-                                            let _e705 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e627));
-                                            let _e714 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                            let _e721 = bitcast<f32>((_e691 & bitcast<u32>(~(_e696))));
-                                            let _e725 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                            let _e729 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                            let _e759 = global_5.member[_e537.member_1][0u];
-                                            let _e763 = global_5.member[_e537.member_1][2u];
-                                            let _e767 = global_5.member[_e537.member_1][4u];
-                                            let _e771 = global_5.member[_e537.member_1][6u];
-                                            let _e783 = (((_e763 >> bitcast<u32>(22i)) | ((_e767 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e771 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e784 = (_e759 & 268435455u);
-                                            let _e785 = (_e783 & 268435455u);
-                                            let _e788 = ((_e759 >> bitcast<u32>(28u)) & 7u);
-                                            let _e796 = ((_e759 >> bitcast<u32>(31i)) | (((_e783 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e797 = (_e788 != 0u);
-                                            if (_e788 == 0u) {
-                                                phi_2700_ = _e784;
+                                            let _e597 = global_5.member[_e538.member_1][_e592];
+                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e624 = select(_e135, _e620, (_e620 > _e135));
+                                            let _e626 = select(_e135, _e621, (_e621 > _e135));
+                                            let _e628 = select(_e135, _e622, (_e622 > _e135));
+                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
+                                            let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
+                                            let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
+                                            let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
+                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
+                                            let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
+                                            let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
+                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
+                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                            let _e760 = global_5.member[_e538.member_1][0u];
+                                            let _e764 = global_5.member[_e538.member_1][2u];
+                                            let _e768 = global_5.member[_e538.member_1][4u];
+                                            let _e772 = global_5.member[_e538.member_1][6u];
+                                            let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e785 = (_e760 & 268435455u);
+                                            let _e786 = (_e784 & 268435455u);
+                                            let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
+                                            let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e798 = (_e789 != 0u);
+                                            if (_e789 == 0u) {
+                                                phi_2698_ = _e785;
                                             } else {
-                                                if (_e788 == 7u) {
-                                                    phi_2699_ = 2147483648u;
+                                                if (_e789 == 7u) {
+                                                    phi_2697_ = 2147483648u;
                                                 } else {
-                                                    phi_2699_ = ((2147483648u | (_e788 << bitcast<u32>(28u))) | (_e785 & 268435455u));
+                                                    phi_2697_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
                                                 }
-                                                let _e806 = phi_2699_;
-                                                phi_2700_ = _e806;
+                                                let _e807 = phi_2697_;
+                                                phi_2698_ = _e807;
                                             }
-                                            let _e808 = phi_2700_;
-                                            if _e797 {
-                                                let _e809 = (_e788 != 7u);
-                                                if _e809 {
-                                                    phi_2710_ = (_e785 + _e788);
+                                            let _e809 = phi_2698_;
+                                            if _e798 {
+                                                let _e810 = (_e789 != 7u);
+                                                if _e810 {
+                                                    phi_2708_ = (_e786 + _e789);
                                                 } else {
-                                                    phi_2710_ = u32();
+                                                    phi_2708_ = u32();
                                                 }
-                                                let _e812 = phi_2710_;
-                                                phi_2712_ = _e812;
-                                                phi_2713_ = select(true, false, _e809);
+                                                let _e813 = phi_2708_;
+                                                phi_2710_ = _e813;
+                                                phi_2711_ = select(true, false, _e810);
                                             } else {
-                                                phi_2712_ = u32();
-                                                phi_2713_ = true;
+                                                phi_2710_ = u32();
+                                                phi_2711_ = true;
                                             }
-                                            let _e815 = phi_2712_;
-                                            let _e817 = phi_2713_;
-                                            if (_e796 == 0u) {
-                                                phi_2734_ = (_e784 + select(0u, 1u, !(_e797)));
+                                            let _e816 = phi_2710_;
+                                            let _e818 = phi_2711_;
+                                            if (_e797 == 0u) {
+                                                phi_2732_ = (_e785 + select(0u, 1u, !(_e798)));
                                             } else {
-                                                if (_e796 == 7u) {
-                                                    phi_2733_ = 2147483648u;
+                                                if (_e797 == 7u) {
+                                                    phi_2731_ = 2147483648u;
                                                 } else {
-                                                    phi_2733_ = ((2147483648u | (_e796 << bitcast<u32>(28u))) | (select(_e815, _e785, _e817) & 268435455u));
+                                                    phi_2731_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
                                                 }
-                                                let _e830 = phi_2733_;
-                                                phi_2734_ = _e830;
+                                                let _e831 = phi_2731_;
+                                                phi_2732_ = _e831;
                                             }
-                                            let _e832 = phi_2734_;
-                                            phi_2738_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e537.member.member.x + _e660), (_e537.member.member.x + _e682), (_e537.member.member_1.x - _e699), (_e537.member.member_1.x - _e721)), vec4<f32>((_e537.member.member.y + _e669), (_e537.member.member.y + _e686), (_e537.member.member_1.y - _e708), (_e537.member.member_1.y - _e725)), vec4<f32>((_e537.member.member.z + _e678), (_e537.member.member.z + _e690), (_e537.member.member_1.z - _e717), (_e537.member.member_1.z - _e729))), type_50(type_29((_e537.member.member + vec4<f32>(_e660, _e669, _e678, 0f)), (_e537.member.member_1 - vec4<f32>(_e699, _e708, _e717, 0f))), _e808), type_50(type_29((_e537.member.member + vec4<f32>(_e682, _e686, _e690, 0f)), (_e537.member.member_1 - vec4<f32>(_e721, _e725, _e729, 0f))), _e832));
+                                            let _e833 = phi_2732_;
+                                            phi_2736_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e538.member.member.x + _e661), (_e538.member.member.x + _e683), (_e538.member.member_1.x - _e700), (_e538.member.member_1.x - _e722)), vec4<f32>((_e538.member.member.y + _e670), (_e538.member.member.y + _e687), (_e538.member.member_1.y - _e709), (_e538.member.member_1.y - _e726)), vec4<f32>((_e538.member.member.z + _e679), (_e538.member.member.z + _e691), (_e538.member.member_1.z - _e718), (_e538.member.member_1.z - _e730))), type_50(type_29((_e538.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e538.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_50(type_29((_e538.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e538.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
                                         }
-                                        let _e837 = phi_2738_;
-                                        let _e849 = ((_e837.member[0].x - _e326) * _e331);
-                                        let _e850 = ((_e837.member[0].y - _e326) * _e331);
-                                        let _e851 = ((_e837.member[0].z - _e327) * _e331);
-                                        let _e852 = ((_e837.member[0].w - _e327) * _e331);
-                                        let _e862 = ((_e837.member[1].x - _e364) * _e369);
-                                        let _e863 = ((_e837.member[1].y - _e364) * _e369);
-                                        let _e864 = ((_e837.member[1].z - _e365) * _e369);
-                                        let _e865 = ((_e837.member[1].w - _e365) * _e369);
-                                        let _e875 = ((_e837.member[2].x - _e402) * _e407);
-                                        let _e876 = ((_e837.member[2].y - _e402) * _e407);
-                                        let _e877 = ((_e837.member[2].z - _e403) * _e407);
-                                        let _e878 = ((_e837.member[2].w - _e403) * _e407);
-                                        let _e880 = select(_e877, _e875, (_e875 < _e877));
-                                        let _e882 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e884 = select(_e877, _e875, (_e875 > _e877));
-                                        let _e886 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e888 = select(_e851, _e849, (_e849 < _e851));
-                                        let _e890 = select(_e852, _e850, (_e850 < _e852));
-                                        let _e892 = select(_e864, _e862, (_e862 < _e864));
-                                        let _e894 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e896 = select(_e892, _e888, (_e888 > _e892));
-                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                        let _e900 = select(_e880, _e896, (_e896 > _e880));
-                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                        let _e904 = select(_e851, _e849, (_e849 > _e851));
-                                        let _e906 = select(_e852, _e850, (_e850 > _e852));
-                                        let _e908 = select(_e864, _e862, (_e862 > _e864));
-                                        let _e910 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e912 = select(_e908, _e904, (_e904 < _e908));
-                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                        let _e919 = -(_e880);
-                                        let _e920 = -(_e882);
-                                        let _e927 = (select(_e884, _e912, (_e912 < _e884)) + (select(_e919, _e884, (_e884 > _e919)) * 0.0000019073523f));
-                                        let _e928 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e920, _e886, (_e886 > _e920)) * 0.0000019073523f));
-                                        let _e930 = select(_e454, _e900, (_e900 > _e454));
-                                        let _e932 = select(_e454, _e902, (_e902 > _e454));
-                                        let _e937 = (_e930 <= select(_e498.member_1, _e927, (_e927 < _e498.member_1)));
-                                        let _e938 = (_e932 <= select(_e498.member_1, _e928, (_e928 < _e498.member_1)));
-                                        let _e939 = (_e930 <= _e932);
-                                        if _e937 {
+                                        let _e838 = phi_2736_;
+                                        let _e850 = ((_e838.member[0].x - _e327) * _e332);
+                                        let _e851 = ((_e838.member[0].y - _e327) * _e332);
+                                        let _e852 = ((_e838.member[0].z - _e328) * _e332);
+                                        let _e853 = ((_e838.member[0].w - _e328) * _e332);
+                                        let _e863 = ((_e838.member[1].x - _e365) * _e370);
+                                        let _e864 = ((_e838.member[1].y - _e365) * _e370);
+                                        let _e865 = ((_e838.member[1].z - _e366) * _e370);
+                                        let _e866 = ((_e838.member[1].w - _e366) * _e370);
+                                        let _e876 = ((_e838.member[2].x - _e403) * _e408);
+                                        let _e877 = ((_e838.member[2].y - _e403) * _e408);
+                                        let _e878 = ((_e838.member[2].z - _e404) * _e408);
+                                        let _e879 = ((_e838.member[2].w - _e404) * _e408);
+                                        let _e881 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e883 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e885 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e887 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e889 = select(_e852, _e850, (_e850 < _e852));
+                                        let _e891 = select(_e853, _e851, (_e851 < _e853));
+                                        let _e893 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e895 = select(_e866, _e864, (_e864 < _e866));
+                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
+                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
+                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
+                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
+                                        let _e905 = select(_e852, _e850, (_e850 > _e852));
+                                        let _e907 = select(_e853, _e851, (_e851 > _e853));
+                                        let _e909 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e911 = select(_e866, _e864, (_e864 > _e866));
+                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
+                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
+                                        let _e920 = -(_e881);
+                                        let _e921 = -(_e883);
+                                        let _e928 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e920, _e885, (_e885 > _e920)) * 0.0000019073523f));
+                                        let _e929 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e921, _e887, (_e887 > _e921)) * 0.0000019073523f));
+                                        let _e931 = select(_e455, _e901, (_e901 > _e455));
+                                        let _e933 = select(_e455, _e903, (_e903 > _e455));
+                                        let _e938 = (_e931 <= select(_e499.member_1, _e928, (_e928 < _e499.member_1)));
+                                        let _e939 = (_e933 <= select(_e499.member_1, _e929, (_e929 < _e499.member_1)));
+                                        let _e940 = (_e931 <= _e933);
+                                        if _e938 {
+                                            if _e939 {
+                                                if _e940 {
+                                                    phi_3080_ = _e838.member_2;
+                                                } else {
+                                                    phi_3080_ = _e838.member_1;
+                                                }
+                                                let _e944 = phi_3080_;
+                                                let _e966 = (_e542 % 128u);
+                                                let _e967 = (_e966 < 128u);
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e966] = _e944.member_1;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e966] = _e944.member.member.x;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e966] = _e944.member.member.y;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e966] = _e944.member.member.z;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e966] = _e944.member.member_1.x;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e966] = _e944.member.member_1.y;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e966] = _e944.member.member_1.z;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3586_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e966] = select(_e933, _e931, (_e931 > _e933));
+                                                if _e940 {
+                                                    phi_3157_ = _e838.member_1;
+                                                } else {
+                                                    phi_3157_ = _e838.member_2;
+                                                }
+                                                let _e980 = phi_3157_;
+                                                phi_3158_ = _e980;
+                                                phi_3159_ = (_e542 + 1u);
+                                            } else {
+                                                phi_3158_ = type_50();
+                                                phi_3159_ = u32();
+                                            }
+                                            let _e982 = phi_3158_;
+                                            let _e984 = phi_3159_;
+                                            phi_3161_ = _e982;
+                                            phi_3162_ = _e984;
+                                            phi_3163_ = select(true, false, _e939);
+                                        } else {
+                                            phi_3161_ = type_50();
+                                            phi_3162_ = u32();
+                                            phi_3163_ = true;
+                                        }
+                                        let _e987 = phi_3161_;
+                                        let _e989 = phi_3162_;
+                                        let _e991 = phi_3163_;
+                                        if _e991 {
                                             if _e938 {
-                                                if _e939 {
-                                                    phi_3082_ = _e837.member_2;
-                                                } else {
-                                                    phi_3082_ = _e837.member_1;
-                                                }
-                                                let _e943 = phi_3082_;
-                                                let _e965 = (_e541 % 128u);
-                                                let _e966 = (_e965 < 128u);
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e965] = _e943.member_1;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e965] = _e943.member.member.x;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e965] = _e943.member.member.y;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e965] = _e943.member.member.z;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e965] = _e943.member.member_1.x;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e965] = _e943.member.member_1.y;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e965] = _e943.member.member_1.z;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3588_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e965] = select(_e932, _e930, (_e930 > _e932));
-                                                if _e939 {
-                                                    phi_3159_ = _e837.member_1;
-                                                } else {
-                                                    phi_3159_ = _e837.member_2;
-                                                }
-                                                let _e979 = phi_3159_;
-                                                phi_3160_ = _e979;
-                                                phi_3161_ = (_e541 + 1u);
+                                                phi_3172_ = _e838.member_1;
                                             } else {
-                                                phi_3160_ = type_50();
-                                                phi_3161_ = u32();
+                                                phi_3172_ = _e838.member_2;
                                             }
-                                            let _e981 = phi_3160_;
-                                            let _e983 = phi_3161_;
-                                            phi_3163_ = _e981;
-                                            phi_3164_ = _e983;
-                                            phi_3165_ = select(true, false, _e938);
+                                            let _e995 = phi_3172_;
+                                            phi_3177_ = _e995;
+                                            phi_3178_ = select(_e939, true, _e938);
                                         } else {
-                                            phi_3163_ = type_50();
-                                            phi_3164_ = u32();
-                                            phi_3165_ = true;
+                                            phi_3177_ = _e987;
+                                            phi_3178_ = _e540;
                                         }
-                                        let _e986 = phi_3163_;
-                                        let _e988 = phi_3164_;
-                                        let _e990 = phi_3165_;
-                                        if _e990 {
-                                            if _e937 {
-                                                phi_3174_ = _e837.member_1;
-                                            } else {
-                                                phi_3174_ = _e837.member_2;
-                                            }
-                                            let _e994 = phi_3174_;
-                                            phi_3179_ = _e994;
-                                            phi_3180_ = select(_e938, true, _e937);
-                                        } else {
-                                            phi_3179_ = _e986;
-                                            phi_3180_ = _e539;
-                                        }
-                                        let _e997 = phi_3179_;
-                                        let _e999 = phi_3180_;
-                                        phi_3592_ = _e496;
-                                        phi_3182_ = _e498;
-                                        phi_3183_ = _e997;
-                                        phi_3184_ = _e999;
-                                        phi_3185_ = select(_e988, _e541, _e990);
+                                        let _e998 = phi_3177_;
+                                        let _e1000 = phi_3178_;
+                                        phi_3590_ = _e497;
+                                        phi_3180_ = _e499;
+                                        phi_3181_ = _e998;
+                                        phi_3182_ = _e1000;
+                                        phi_3183_ = select(_e989, _e542, _e991);
                                     }
-                                    let _e1590 = phi_3592_;
-                                    let _e1592 = phi_3182_;
-                                    let _e1594 = phi_3183_;
-                                    let _e1596 = phi_3184_;
-                                    let _e1598 = phi_3185_;
-                                    phi_3591_ = _e1590;
-                                    phi_3186_ = _e1592;
-                                    phi_3187_ = _e1594;
-                                    phi_3188_ = (_e502 - 1u);
-                                    phi_3189_ = _e1596;
-                                    phi_3190_ = _e1598;
+                                    let _e1592 = phi_3590_;
+                                    let _e1594 = phi_3180_;
+                                    let _e1596 = phi_3181_;
+                                    let _e1598 = phi_3182_;
+                                    let _e1600 = phi_3183_;
+                                    phi_3589_ = _e1592;
+                                    phi_3184_ = _e1594;
+                                    phi_3185_ = _e1596;
+                                    phi_3186_ = (_e503 - 1u);
+                                    phi_3187_ = _e1598;
+                                    phi_3188_ = _e1600;
                                 } else {
-                                    phi_3591_ = _e496;
-                                    phi_3186_ = _e498;
-                                    phi_3187_ = _e537;
-                                    phi_3188_ = _e502;
-                                    phi_3189_ = _e539;
-                                    phi_3190_ = _e541;
+                                    phi_3589_ = _e497;
+                                    phi_3184_ = _e499;
+                                    phi_3185_ = _e538;
+                                    phi_3186_ = _e503;
+                                    phi_3187_ = _e540;
+                                    phi_3188_ = _e542;
                                 }
-                                let _e1600 = phi_3591_;
-                                let _e1602 = phi_3186_;
-                                let _e1604 = phi_3187_;
-                                let _e1606 = phi_3188_;
-                                let _e1608 = phi_3189_;
-                                let _e1610 = phi_3190_;
-                                phi_3590_ = _e1600;
-                                phi_3191_ = _e1602;
-                                phi_3192_ = _e1604;
-                                phi_3193_ = _e1606;
-                                phi_3194_ = _e1608;
-                                phi_3195_ = _e1610;
+                                let _e1602 = phi_3589_;
+                                let _e1604 = phi_3184_;
+                                let _e1606 = phi_3185_;
+                                let _e1608 = phi_3186_;
+                                let _e1610 = phi_3187_;
+                                let _e1612 = phi_3188_;
+                                phi_3588_ = _e1602;
+                                phi_3189_ = _e1604;
+                                phi_3190_ = _e1606;
+                                phi_3191_ = _e1608;
+                                phi_3192_ = _e1610;
+                                phi_3193_ = _e1612;
                             } else {
-                                phi_3590_ = _e496;
-                                phi_3191_ = type_33();
-                                phi_3192_ = type_50();
+                                phi_3588_ = _e497;
+                                phi_3189_ = type_33();
+                                phi_3190_ = type_50();
+                                phi_3191_ = u32();
+                                phi_3192_ = bool();
                                 phi_3193_ = u32();
-                                phi_3194_ = bool();
-                                phi_3195_ = u32();
                             }
-                            let _e1612 = phi_3590_;
-                            let _e1614 = phi_3191_;
-                            let _e1616 = phi_3192_;
-                            let _e1618 = phi_3193_;
-                            let _e1620 = phi_3194_;
-                            let _e1622 = phi_3195_;
-                            phi_3589_ = _e1612;
-                            phi_839_ = _e1614;
-                            phi_842_ = _e1616;
-                            phi_844_ = _e1618;
-                            phi_846_ = _e1620;
-                            phi_848_ = _e1622;
-                            phi_3196_ = _e510;
+                            let _e1614 = phi_3588_;
+                            let _e1616 = phi_3189_;
+                            let _e1618 = phi_3190_;
+                            let _e1620 = phi_3191_;
+                            let _e1622 = phi_3192_;
+                            let _e1624 = phi_3193_;
+                            phi_3587_ = _e1614;
+                            phi_840_ = _e1616;
+                            phi_843_ = _e1618;
+                            phi_845_ = _e1620;
+                            phi_847_ = _e1622;
+                            phi_849_ = _e1624;
+                            phi_3194_ = _e511;
                         } else {
-                            phi_3589_ = _e496;
-                            phi_839_ = type_33();
-                            phi_842_ = type_50();
-                            phi_844_ = u32();
-                            phi_846_ = bool();
-                            phi_848_ = u32();
-                            phi_3196_ = false;
+                            phi_3587_ = _e497;
+                            phi_840_ = type_33();
+                            phi_843_ = type_50();
+                            phi_845_ = u32();
+                            phi_847_ = bool();
+                            phi_849_ = u32();
+                            phi_3194_ = false;
                         }
-                        let _e1624 = phi_3589_;
-                        let _e1626 = phi_839_;
-                        let _e1628 = phi_842_;
-                        let _e1630 = phi_844_;
-                        let _e1632 = phi_846_;
-                        let _e1634 = phi_848_;
-                        let _e1636 = phi_3196_;
+                        let _e1626 = phi_3587_;
+                        let _e1628 = phi_840_;
+                        let _e1630 = phi_843_;
+                        let _e1632 = phi_845_;
+                        let _e1634 = phi_847_;
+                        let _e1636 = phi_849_;
+                        let _e1638 = phi_3194_;
                         continue;
                         continuing {
-                            phi_3452_ = _e1624;
-                            phi_838_ = _e1626;
-                            phi_841_ = _e1628;
-                            phi_843_ = _e1630;
-                            phi_845_ = _e1632;
-                            phi_847_ = _e1634;
-                            phi_3588_ = _e1624;
-                            break if !(_e1636);
+                            phi_3450_ = _e1626;
+                            phi_839_ = _e1628;
+                            phi_842_ = _e1630;
+                            phi_844_ = _e1632;
+                            phi_846_ = _e1634;
+                            phi_848_ = _e1636;
+                            phi_3586_ = _e1626;
+                            break if !(_e1638);
                         }
                     }
-                    let _e1639 = phi_3588_;
-                    if _e1639 {
+                    let _e1641 = phi_3586_;
+                    if _e1641 {
                         break;
                     }
-                    let _e1641 = local_10;
-                    if (_e1641.member.member_3 != 4294967295u) {
-                        let _e1646 = -(_e421);
-                        let _e1647 = (_e1646 / 3i);
-                        let _e1654 = bitcast<f32>((bitcast<u32>((_e1647 + 127i)) << bitcast<u32>(23i)));
-                        let _e1662 = (((_e1641.member.member * _e1654) * _e1654) * bitcast<f32>((bitcast<u32>(((_e1646 - (2i * _e1647)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1664 = select(340282350000000000000000000000000000000f, _e1662, (_e1662 < 340282350000000000000000000000000000000f));
-                        phi_3248_ = type_21(select(-340282350000000000000000000000000000000f, _e1664, (_e1664 > -340282350000000000000000000000000000000f)), _e1641.member.member_1, _e1641.member.member_2, _e1641.member.member_3);
+                    let _e1643 = local_10;
+                    if (_e1643.member.member_3 != 4294967295u) {
+                        let _e1648 = -(_e422);
+                        let _e1649 = (_e1648 / 3i);
+                        let _e1656 = bitcast<f32>((bitcast<u32>((_e1649 + 127i)) << bitcast<u32>(23i)));
+                        let _e1664 = (((_e1643.member.member * _e1656) * _e1656) * bitcast<f32>((bitcast<u32>(((_e1648 - (2i * _e1649)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1666 = select(340282350000000000000000000000000000000f, _e1664, (_e1664 < 340282350000000000000000000000000000000f));
+                        phi_3246_ = type_21(select(-340282350000000000000000000000000000000f, _e1666, (_e1666 > -340282350000000000000000000000000000000f)), _e1643.member.member_1, _e1643.member.member_2, _e1643.member.member_3);
                     } else {
-                        phi_3248_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3246_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1671 = phi_3248_;
-                    if _e142 {
+                    let _e1673 = phi_3246_;
+                    if _e143 {
                     } else {
                         break;
                     }
-                    global_6.member[_e140] = _e1671;
+                    global_6.member[_e141] = _e1673;
                 }
             }
             break;

@@ -87,436 +87,438 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_393_: i32;
     var phi_394_: i32;
-    var phi_404_: bool;
-    var phi_414_: u32;
+    var phi_395_: i32;
+    var phi_405_: bool;
     var phi_415_: u32;
-    var phi_417_: bool;
-    var phi_422_: u32;
-    var phi_434_: i32;
-    var phi_454_: i32;
-    var phi_472_: f32;
-    var phi_478_: f32;
-    var phi_489_: f32;
-    var phi_495_: f32;
-    var phi_518_: f32;
-    var phi_529_: f32;
-    var phi_538_: f32;
-    var phi_544_: f32;
-    var phi_555_: f32;
-    var phi_561_: f32;
-    var phi_584_: f32;
-    var phi_595_: f32;
-    var phi_604_: f32;
-    var phi_610_: f32;
-    var phi_621_: f32;
-    var phi_627_: f32;
-    var phi_650_: f32;
-    var phi_661_: f32;
-    var phi_761_: f32;
+    var phi_416_: u32;
+    var phi_418_: bool;
+    var phi_423_: u32;
+    var phi_435_: i32;
+    var phi_455_: i32;
+    var phi_473_: f32;
+    var phi_479_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
+    var phi_539_: f32;
+    var phi_545_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_596_: f32;
+    var phi_605_: f32;
+    var phi_611_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_651_: f32;
+    var phi_662_: f32;
     var phi_762_: f32;
-    var phi_4084_: bool;
-    var phi_851_: type_32;
-    var phi_854_: type_49;
-    var phi_856_: u32;
-    var phi_858_: bool;
-    var phi_860_: u32;
-    var phi_871_: bool;
-    var phi_957_: type_49;
-    var phi_958_: bool;
-    var phi_959_: u32;
-    var phi_3071_: u32;
-    var phi_3077_: u32;
-    var phi_3331_: u32;
-    var phi_3332_: u32;
-    var phi_3342_: u32;
-    var phi_3344_: u32;
-    var phi_3345_: bool;
-    var phi_3365_: u32;
-    var phi_3366_: u32;
-    var phi_3370_: type_50;
-    var phi_3714_: type_49;
-    var phi_3791_: type_49;
-    var phi_3792_: type_49;
-    var phi_3793_: u32;
-    var phi_3795_: type_49;
-    var phi_3796_: u32;
-    var phi_3797_: bool;
-    var phi_3806_: type_49;
-    var phi_3811_: type_49;
-    var phi_3812_: bool;
-    var phi_978_: type_32;
-    var phi_981_: type_8;
-    var phi_982_: type_8;
-    var phi_1004_: type_8;
-    var phi_1045_: u32;
-    var phi_1051_: u32;
-    var phi_1061_: u32;
-    var phi_1077_: u32;
-    var phi_1110_: u32;
-    var phi_1116_: u32;
-    var phi_1543_: u32;
-    var phi_1561_: u32;
-    var phi_1579_: u32;
-    var phi_1599_: u32;
-    var phi_1617_: u32;
-    var phi_1635_: u32;
-    var phi_1655_: u32;
-    var phi_1673_: u32;
-    var phi_1691_: u32;
-    var phi_1269_: u32;
-    var phi_1284_: u32;
-    var phi_1294_: u32;
-    var phi_1314_: u32;
-    var phi_1334_: u32;
-    var phi_1360_: u32;
-    var phi_1375_: u32;
-    var phi_1385_: u32;
-    var phi_1405_: u32;
-    var phi_1425_: u32;
-    var phi_1451_: u32;
-    var phi_1466_: u32;
-    var phi_1476_: u32;
-    var phi_1496_: u32;
-    var phi_1516_: u32;
-    var phi_1140_: u32;
-    var phi_1183_: u32;
-    var phi_1226_: u32;
-    var phi_1697_: array<array<f32, 3>, 3>;
-    var phi_1814_: bool;
-    var phi_1843_: bool;
-    var phi_2244_: f32;
-    var phi_2245_: f32;
-    var phi_2246_: f32;
-    var phi_2247_: f32;
-    var phi_2248_: vec3<f32>;
-    var phi_2249_: vec3<f32>;
-    var phi_2250_: vec3<f32>;
-    var phi_2251_: vec3<f32>;
-    var phi_2282_: bool;
-    var phi_2291_: vec3<f32>;
-    var phi_2458_: bool;
-    var phi_2482_: f32;
-    var phi_2483_: f32;
-    var phi_2506_: type_20;
-    var phi_2508_: type_20;
-    var phi_2509_: bool;
-    var phi_2513_: type_20;
-    var phi_2514_: type_20;
-    var phi_2515_: type_20;
-    var phi_2516_: bool;
-    var phi_2520_: type_20;
-    var phi_2521_: bool;
-    var phi_2522_: type_20;
-    var phi_2523_: bool;
-    var phi_2524_: bool;
-    var phi_2525_: type_20;
-    var phi_2526_: bool;
-    var phi_2527_: bool;
-    var phi_2535_: type_20;
-    var phi_2536_: bool;
-    var phi_2540_: type_20;
-    var phi_2565_: bool;
-    var phi_2566_: bool;
-    var phi_2572_: type_32;
-    var phi_2573_: type_32;
-    var phi_2574_: type_32;
-    var phi_979_: type_32;
-    var phi_4078_: bool;
-    var phi_4271_: bool;
-    var phi_3814_: type_32;
-    var phi_3815_: type_49;
-    var phi_3816_: bool;
-    var phi_3817_: u32;
-    var phi_4270_: bool;
-    var phi_3818_: type_32;
-    var phi_3819_: type_49;
-    var phi_3820_: u32;
-    var phi_3821_: bool;
-    var phi_3822_: u32;
-    var phi_4269_: bool;
-    var phi_3823_: type_32;
-    var phi_3824_: type_49;
-    var phi_3825_: u32;
-    var phi_3826_: bool;
-    var phi_3827_: u32;
-    var phi_4268_: bool;
+    var phi_763_: f32;
+    var phi_4082_: bool;
     var phi_852_: type_32;
     var phi_855_: type_49;
     var phi_857_: u32;
     var phi_859_: bool;
     var phi_861_: u32;
-    var phi_3828_: bool;
+    var phi_872_: bool;
+    var phi_958_: type_49;
+    var phi_959_: bool;
+    var phi_960_: u32;
+    var phi_3069_: u32;
+    var phi_3075_: u32;
+    var phi_3329_: u32;
+    var phi_3330_: u32;
+    var phi_3340_: u32;
+    var phi_3342_: u32;
+    var phi_3343_: bool;
+    var phi_3363_: u32;
+    var phi_3364_: u32;
+    var phi_3368_: type_50;
+    var phi_3712_: type_49;
+    var phi_3789_: type_49;
+    var phi_3790_: type_49;
+    var phi_3791_: u32;
+    var phi_3793_: type_49;
+    var phi_3794_: u32;
+    var phi_3795_: bool;
+    var phi_3804_: type_49;
+    var phi_3809_: type_49;
+    var phi_3810_: bool;
+    var phi_979_: type_32;
+    var phi_982_: type_8;
+    var phi_983_: type_8;
+    var phi_1005_: type_8;
+    var phi_1046_: u32;
+    var phi_1052_: u32;
+    var phi_1062_: u32;
+    var phi_1078_: u32;
+    var phi_1111_: u32;
+    var phi_1117_: u32;
+    var phi_1544_: u32;
+    var phi_1562_: u32;
+    var phi_1580_: u32;
+    var phi_1600_: u32;
+    var phi_1618_: u32;
+    var phi_1636_: u32;
+    var phi_1656_: u32;
+    var phi_1674_: u32;
+    var phi_1692_: u32;
+    var phi_1270_: u32;
+    var phi_1285_: u32;
+    var phi_1295_: u32;
+    var phi_1315_: u32;
+    var phi_1335_: u32;
+    var phi_1361_: u32;
+    var phi_1376_: u32;
+    var phi_1386_: u32;
+    var phi_1406_: u32;
+    var phi_1426_: u32;
+    var phi_1452_: u32;
+    var phi_1467_: u32;
+    var phi_1477_: u32;
+    var phi_1497_: u32;
+    var phi_1517_: u32;
+    var phi_1141_: u32;
+    var phi_1184_: u32;
+    var phi_1227_: u32;
+    var phi_1698_: array<array<f32, 3>, 3>;
+    var phi_1815_: bool;
+    var phi_1844_: bool;
+    var phi_2245_: f32;
+    var phi_2246_: f32;
+    var phi_2247_: f32;
+    var phi_2248_: f32;
+    var phi_2249_: vec3<f32>;
+    var phi_2250_: vec3<f32>;
+    var phi_2251_: vec3<f32>;
+    var phi_2252_: vec3<f32>;
+    var phi_2283_: bool;
+    var phi_2292_: vec3<f32>;
+    var phi_2457_: f32;
+    var phi_2459_: f32;
+    var phi_2460_: bool;
+    var phi_2480_: f32;
+    var phi_2481_: f32;
+    var phi_2504_: type_20;
+    var phi_2506_: type_20;
+    var phi_2507_: bool;
+    var phi_2511_: type_20;
+    var phi_2512_: type_20;
+    var phi_2513_: type_20;
+    var phi_2514_: bool;
+    var phi_2518_: type_20;
+    var phi_2519_: bool;
+    var phi_2520_: type_20;
+    var phi_2521_: bool;
+    var phi_2522_: bool;
+    var phi_2523_: type_20;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var phi_2533_: type_20;
+    var phi_2534_: bool;
+    var phi_2538_: type_20;
+    var phi_2563_: bool;
+    var phi_2564_: bool;
+    var phi_2570_: type_32;
+    var phi_2571_: type_32;
+    var phi_2572_: type_32;
+    var phi_980_: type_32;
+    var phi_4076_: bool;
+    var phi_4269_: bool;
+    var phi_3812_: type_32;
+    var phi_3813_: type_49;
+    var phi_3814_: bool;
+    var phi_3815_: u32;
+    var phi_4268_: bool;
+    var phi_3816_: type_32;
+    var phi_3817_: type_49;
+    var phi_3818_: u32;
+    var phi_3819_: bool;
+    var phi_3820_: u32;
     var phi_4267_: bool;
+    var phi_3821_: type_32;
+    var phi_3822_: type_49;
+    var phi_3823_: u32;
+    var phi_3824_: bool;
+    var phi_3825_: u32;
+    var phi_4266_: bool;
+    var phi_853_: type_32;
+    var phi_856_: type_49;
+    var phi_858_: u32;
+    var phi_860_: bool;
+    var phi_862_: u32;
+    var phi_3826_: bool;
+    var phi_4265_: bool;
     var local_10: type_32;
-    var phi_3880_: type_20;
+    var phi_3878_: type_20;
     var local_11: type_32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e89 = arrayLength((&global_4.member));
-            let _e92 = arrayLength((&global_5.member));
-            let _e100 = global_2.member[0u][0u];
-            let _e104 = global_2.member[0u][1u];
-            let _e108 = global_2.member[0u][2u];
-            let _e112 = global_2.member[0u][3u];
-            let _e116 = global_2.member[1u][0u];
-            let _e120 = global_2.member[1u][1u];
-            let _e124 = global_2.member[1u][2u];
-            let _e127 = global_1.member[0u];
-            let _e128 = bitcast<i32>(_e127);
-            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
-            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
-            let _e146 = (_e87.x + (_e87.y * 2097152u));
-            let _e147 = (_e146 < arrayLength((&global_3.member)));
-            if _e147 {
-                let _e148 = (_e146 < arrayLength((&global_6.member)));
-                if _e148 {
-                    if _e147 {
+            let _e88 = global;
+            let _e90 = arrayLength((&global_4.member));
+            let _e93 = arrayLength((&global_5.member));
+            let _e101 = global_2.member[0u][0u];
+            let _e105 = global_2.member[0u][1u];
+            let _e109 = global_2.member[0u][2u];
+            let _e113 = global_2.member[0u][3u];
+            let _e117 = global_2.member[1u][0u];
+            let _e121 = global_2.member[1u][1u];
+            let _e125 = global_2.member[1u][2u];
+            let _e128 = global_1.member[0u];
+            let _e129 = bitcast<i32>(_e128);
+            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
+            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
+            let _e147 = (_e88.x + (_e88.y * 2097152u));
+            let _e148 = (_e147 < arrayLength((&global_3.member)));
+            if _e148 {
+                let _e149 = (_e147 < arrayLength((&global_6.member)));
+                if _e149 {
+                    if _e148 {
                     } else {
                         break;
                     }
-                    let _e156 = global_3.member[_e146].member_2[0u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_3.member[_e146].member_2[1u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_3.member[_e146].member_2[2u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_3.member[_e146].member[0u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_3.member[_e146].member[1u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e191 = global_3.member[_e146].member[2u];
-                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
-                    let _e195 = select(_e165, _e158, (_e165 < _e158));
-                    let _e197 = select(_e172, _e195, (_e172 < _e195));
-                    let _e199 = select(_e179, _e197, (_e179 < _e197));
-                    let _e201 = select(_e186, _e199, (_e186 < _e199));
-                    let _e203 = select(_e193, _e201, (_e193 < _e201));
-                    let _e207 = global_3.member[_e146].member_1;
-                    let _e209 = (bitcast<u32>(_e207) & 2147483647u);
-                    let _e216 = global_3.member[_e146].member_3;
-                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && ((bitcast<u32>(_e216) & 2147483647u) <= 2139095040u)) && (_e197 > 0u));
-                    if _e222 {
-                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
-                        if (_e225 >= 8388608u) {
-                            phi_393_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
+                    let _e157 = global_3.member[_e147].member_2[0u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_3.member[_e147].member_2[1u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_3.member[_e147].member_2[2u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e178 = global_3.member[_e147].member[0u];
+                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                    let _e185 = global_3.member[_e147].member[1u];
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e192 = global_3.member[_e147].member[2u];
+                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
+                    let _e196 = select(_e166, _e159, (_e166 < _e159));
+                    let _e198 = select(_e173, _e196, (_e173 < _e196));
+                    let _e200 = select(_e180, _e198, (_e180 < _e198));
+                    let _e202 = select(_e187, _e200, (_e187 < _e200));
+                    let _e204 = select(_e194, _e202, (_e194 < _e202));
+                    let _e208 = global_3.member[_e147].member_1;
+                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
+                    let _e217 = global_3.member[_e147].member_3;
+                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
+                    if _e223 {
+                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
+                        if (_e226 >= 8388608u) {
+                            phi_394_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_393_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
+                            phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
                         }
-                        let _e239 = phi_393_;
-                        phi_394_ = _e239;
+                        let _e240 = phi_394_;
+                        phi_395_ = _e240;
                     } else {
-                        phi_394_ = 0i;
+                        phi_395_ = 0i;
                     }
-                    let _e241 = phi_394_;
-                    let _e242 = (_e158 == _e197);
-                    if _e242 {
-                        phi_404_ = true;
+                    let _e242 = phi_395_;
+                    let _e243 = (_e159 == _e198);
+                    if _e243 {
+                        phi_405_ = true;
                     } else {
-                        phi_404_ = (_e165 == _e197);
+                        phi_405_ = (_e166 == _e198);
                     }
-                    let _e245 = phi_404_;
-                    let _e246 = select(1u, 0u, _e242);
-                    if _e245 {
-                        let _e247 = (_e246 + 1u);
-                        phi_414_ = _e247;
-                        phi_415_ = _e247;
-                        phi_417_ = select(true, false, (_e247 == 2u));
+                    let _e246 = phi_405_;
+                    let _e247 = select(1u, 0u, _e243);
+                    if _e246 {
+                        let _e248 = (_e247 + 1u);
+                        phi_415_ = _e248;
+                        phi_416_ = _e248;
+                        phi_418_ = select(true, false, (_e248 == 2u));
                     } else {
-                        phi_414_ = u32();
-                        phi_415_ = 0u;
-                        phi_417_ = true;
+                        phi_415_ = u32();
+                        phi_416_ = 0u;
+                        phi_418_ = true;
                     }
-                    let _e251 = phi_414_;
-                    let _e253 = phi_415_;
-                    let _e255 = phi_417_;
-                    if _e255 {
-                        phi_422_ = (_e253 + 1u);
+                    let _e252 = phi_415_;
+                    let _e254 = phi_416_;
+                    let _e256 = phi_418_;
+                    if _e256 {
+                        phi_423_ = (_e254 + 1u);
                     } else {
-                        phi_422_ = 0u;
+                        phi_423_ = 0u;
                     }
-                    let _e259 = phi_422_;
-                    let _e260 = select(_e251, _e253, _e255);
-                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
-                    if (_e128 < -126i) {
-                        phi_434_ = -126i;
+                    let _e260 = phi_423_;
+                    let _e261 = select(_e252, _e254, _e256);
+                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
+                    if (_e129 < -126i) {
+                        phi_435_ = -126i;
                     } else {
-                        phi_434_ = select(_e128, 127i, (_e128 > 127i));
+                        phi_435_ = select(_e129, 127i, (_e129 > 127i));
                     }
-                    let _e266 = phi_434_;
-                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = -(_e241);
-                    if (_e278 < -126i) {
-                        phi_454_ = -126i;
+                    let _e267 = phi_435_;
+                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = -(_e242);
+                    if (_e279 < -126i) {
+                        phi_455_ = -126i;
                     } else {
-                        phi_454_ = select(_e278, 127i, (_e278 > 127i));
+                        phi_455_ = select(_e279, 127i, (_e279 > 127i));
                     }
-                    let _e283 = phi_454_;
-                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
-                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
-                    let _e298 = global_3.member[_e146].member;
-                    let _e299 = (_e260 == 0u);
-                    if _e299 {
-                        phi_472_ = _e298[0];
+                    let _e284 = phi_455_;
+                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
+                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
+                    let _e299 = global_3.member[_e147].member;
+                    let _e300 = (_e261 == 0u);
+                    if _e300 {
+                        phi_473_ = _e299[0];
                     } else {
-                        phi_472_ = _e298[1];
+                        phi_473_ = _e299[1];
                     }
-                    let _e303 = phi_472_;
-                    let _e304 = (_e260 == 2u);
-                    if _e304 {
-                        phi_478_ = _e298[2];
+                    let _e304 = phi_473_;
+                    let _e305 = (_e261 == 2u);
+                    if _e305 {
+                        phi_479_ = _e299[2];
                     } else {
-                        phi_478_ = _e303;
+                        phi_479_ = _e304;
                     }
-                    let _e307 = phi_478_;
-                    let _e309 = ((_e307 * _e271) * _e277);
-                    let _e310 = global_3.member[_e146].member_2;
-                    if _e299 {
-                        phi_489_ = _e310[0];
+                    let _e308 = phi_479_;
+                    let _e310 = ((_e308 * _e272) * _e278);
+                    let _e311 = global_3.member[_e147].member_2;
+                    if _e300 {
+                        phi_490_ = _e311[0];
                     } else {
-                        phi_489_ = _e310[1];
+                        phi_490_ = _e311[1];
                     }
-                    let _e314 = phi_489_;
-                    if _e304 {
-                        phi_495_ = _e310[2];
+                    let _e315 = phi_490_;
+                    if _e305 {
+                        phi_496_ = _e311[2];
                     } else {
-                        phi_495_ = _e314;
+                        phi_496_ = _e315;
                     }
-                    let _e317 = phi_495_;
-                    let _e319 = ((_e317 * _e288) * _e294);
-                    let _e323 = (bitcast<f32>((bitcast<u32>(_e319) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e323 {
-                        let _e327 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
-                        phi_518_ = select(0.00000000000011368684f, _e327, (_e327 > 0.00000000000011368684f));
+                    let _e318 = phi_496_;
+                    let _e320 = ((_e318 * _e289) * _e295);
+                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e324 {
+                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
+                        phi_519_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
                     } else {
-                        phi_518_ = 0f;
+                        phi_519_ = 0f;
                     }
-                    let _e331 = phi_518_;
-                    let _e332 = (_e309 + _e331);
-                    let _e333 = (_e309 - _e331);
-                    let _e334 = select(_e319, 0f, _e323);
-                    if _e323 {
-                        phi_529_ = 38685626000000000000000000f;
+                    let _e332 = phi_519_;
+                    let _e333 = (_e310 + _e332);
+                    let _e334 = (_e310 - _e332);
+                    let _e335 = select(_e320, 0f, _e324);
+                    if _e324 {
+                        phi_530_ = 38685626000000000000000000f;
                     } else {
-                        phi_529_ = (1f / _e319);
+                        phi_530_ = (1f / _e320);
                     }
-                    let _e337 = phi_529_;
-                    let _e338 = (_e259 == 0u);
-                    if _e338 {
-                        phi_538_ = _e298[0];
+                    let _e338 = phi_530_;
+                    let _e339 = (_e260 == 0u);
+                    if _e339 {
+                        phi_539_ = _e299[0];
                     } else {
-                        phi_538_ = _e298[1];
+                        phi_539_ = _e299[1];
                     }
-                    let _e342 = phi_538_;
-                    let _e343 = (_e259 == 2u);
-                    if _e343 {
-                        phi_544_ = _e298[2];
+                    let _e343 = phi_539_;
+                    let _e344 = (_e260 == 2u);
+                    if _e344 {
+                        phi_545_ = _e299[2];
                     } else {
-                        phi_544_ = _e342;
+                        phi_545_ = _e343;
                     }
-                    let _e346 = phi_544_;
-                    let _e348 = ((_e346 * _e271) * _e277);
-                    if _e338 {
-                        phi_555_ = _e310[0];
+                    let _e347 = phi_545_;
+                    let _e349 = ((_e347 * _e272) * _e278);
+                    if _e339 {
+                        phi_556_ = _e311[0];
                     } else {
-                        phi_555_ = _e310[1];
+                        phi_556_ = _e311[1];
                     }
-                    let _e352 = phi_555_;
-                    if _e343 {
-                        phi_561_ = _e310[2];
+                    let _e353 = phi_556_;
+                    if _e344 {
+                        phi_562_ = _e311[2];
                     } else {
-                        phi_561_ = _e352;
+                        phi_562_ = _e353;
                     }
-                    let _e355 = phi_561_;
-                    let _e357 = ((_e355 * _e288) * _e294);
-                    let _e361 = (bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e361 {
-                        let _e365 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) * 0.00000011920929f);
-                        phi_584_ = select(0.00000000000011368684f, _e365, (_e365 > 0.00000000000011368684f));
+                    let _e356 = phi_562_;
+                    let _e358 = ((_e356 * _e289) * _e295);
+                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e362 {
+                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
+                        phi_585_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
                     } else {
-                        phi_584_ = 0f;
+                        phi_585_ = 0f;
                     }
-                    let _e369 = phi_584_;
-                    let _e370 = (_e348 + _e369);
-                    let _e371 = (_e348 - _e369);
-                    let _e372 = select(_e357, 0f, _e361);
-                    if _e361 {
-                        phi_595_ = 38685626000000000000000000f;
+                    let _e370 = phi_585_;
+                    let _e371 = (_e349 + _e370);
+                    let _e372 = (_e349 - _e370);
+                    let _e373 = select(_e358, 0f, _e362);
+                    if _e362 {
+                        phi_596_ = 38685626000000000000000000f;
                     } else {
-                        phi_595_ = (1f / _e357);
+                        phi_596_ = (1f / _e358);
                     }
-                    let _e375 = phi_595_;
-                    let _e376 = (_e261 == 0u);
-                    if _e376 {
-                        phi_604_ = _e298[0];
+                    let _e376 = phi_596_;
+                    let _e377 = (_e262 == 0u);
+                    if _e377 {
+                        phi_605_ = _e299[0];
                     } else {
-                        phi_604_ = _e298[1];
+                        phi_605_ = _e299[1];
                     }
-                    let _e380 = phi_604_;
-                    let _e381 = (_e261 == 2u);
-                    if _e381 {
-                        phi_610_ = _e298[2];
+                    let _e381 = phi_605_;
+                    let _e382 = (_e262 == 2u);
+                    if _e382 {
+                        phi_611_ = _e299[2];
                     } else {
-                        phi_610_ = _e380;
+                        phi_611_ = _e381;
                     }
-                    let _e384 = phi_610_;
-                    let _e386 = ((_e384 * _e271) * _e277);
-                    if _e376 {
-                        phi_621_ = _e310[0];
+                    let _e385 = phi_611_;
+                    let _e387 = ((_e385 * _e272) * _e278);
+                    if _e377 {
+                        phi_622_ = _e311[0];
                     } else {
-                        phi_621_ = _e310[1];
+                        phi_622_ = _e311[1];
                     }
-                    let _e390 = phi_621_;
-                    if _e381 {
-                        phi_627_ = _e310[2];
+                    let _e391 = phi_622_;
+                    if _e382 {
+                        phi_628_ = _e311[2];
                     } else {
-                        phi_627_ = _e390;
+                        phi_628_ = _e391;
                     }
-                    let _e393 = phi_627_;
-                    let _e395 = ((_e393 * _e288) * _e294);
-                    let _e399 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e399 {
-                        let _e403 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) * 0.00000011920929f);
-                        phi_650_ = select(0.00000000000011368684f, _e403, (_e403 > 0.00000000000011368684f));
+                    let _e394 = phi_628_;
+                    let _e396 = ((_e394 * _e289) * _e295);
+                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e400 {
+                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
+                        phi_651_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
                     } else {
-                        phi_650_ = 0f;
+                        phi_651_ = 0f;
                     }
-                    let _e407 = phi_650_;
-                    let _e408 = (_e386 + _e407);
-                    let _e409 = (_e386 - _e407);
-                    let _e410 = select(_e395, 0f, _e399);
-                    if _e399 {
-                        phi_661_ = 38685626000000000000000000f;
+                    let _e408 = phi_651_;
+                    let _e409 = (_e387 + _e408);
+                    let _e410 = (_e387 - _e408);
+                    let _e411 = select(_e396, 0f, _e400);
+                    if _e400 {
+                        phi_662_ = 38685626000000000000000000f;
                     } else {
-                        phi_661_ = (1f / _e395);
+                        phi_662_ = (1f / _e396);
                     }
-                    let _e413 = phi_661_;
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e348) & 2147483647u));
-                    let _e421 = select(_e419, _e416, (_e416 > _e419));
-                    let _e424 = bitcast<f32>((bitcast<u32>(_e386) & 2147483647u));
-                    let _e427 = (_e128 + _e241);
-                    if (_e222 && (select(_e424, _e421, (_e421 > _e424)) <= 1099511600000f)) {
-                        let _e430 = (_e427 / 3i);
-                        let _e437 = bitcast<f32>((bitcast<u32>((_e430 + 127i)) << bitcast<u32>(23i)));
-                        let _e444 = bitcast<f32>((bitcast<u32>(((_e427 - (2i * _e430)) + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = (((_e207 * _e437) * _e437) * _e444);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        let _e452 = (((_e216 * _e437) * _e437) * _e444);
-                        let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
-                        phi_761_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
-                        phi_762_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                    let _e414 = phi_662_;
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
+                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
+                    let _e422 = select(_e420, _e417, (_e417 > _e420));
+                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
+                    let _e428 = (_e129 + _e242);
+                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
+                        let _e431 = (_e428 / 3i);
+                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
+                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
+                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
+                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
+                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
+                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
+                        phi_762_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
+                        phi_763_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_761_ = 0f;
-                        phi_762_ = 1f;
+                        phi_762_ = 0f;
+                        phi_763_ = 1f;
                     }
-                    let _e458 = phi_761_;
-                    let _e460 = phi_762_;
+                    let _e459 = phi_762_;
+                    let _e461 = phi_763_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -525,1316 +527,1326 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e464 = (_e260 % 3u);
-                    let _e465 = (_e464 < 3u);
-                    if _e465 {
+                    let _e465 = (_e261 % 3u);
+                    let _e466 = (_e465 < 3u);
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e467 = local_1[_e464];
-                    let _e470 = (_e259 % 3u);
-                    let _e471 = (_e470 < 3u);
-                    if _e471 {
+                    let _e468 = local_1[_e465];
+                    let _e471 = (_e260 % 3u);
+                    let _e472 = (_e471 < 3u);
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e473 = local_1[_e470];
-                    let _e476 = (_e261 % 3u);
-                    let _e477 = (_e476 < 3u);
-                    if _e477 {
+                    let _e474 = local_1[_e471];
+                    let _e477 = (_e262 % 3u);
+                    let _e478 = (_e477 < 3u);
+                    if _e478 {
                     } else {
                         break;
                     }
-                    let _e479 = local_1[_e476];
-                    if _e465 {
+                    let _e480 = local_1[_e477];
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e484 = local[_e464];
-                    if _e471 {
+                    let _e485 = local[_e465];
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e470];
-                    if _e477 {
+                    let _e489 = local[_e471];
+                    if _e478 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e476];
-                    phi_4084_ = false;
-                    phi_851_ = type_32(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e458);
-                    phi_854_ = type_49(type_28(vec4<f32>((f32(_e467) * _e140), (f32(_e473) * _e140), (f32(_e479) * _e140), 0f), vec4<f32>((f32(_e484) * _e140), (f32(_e488) * _e140), (f32(_e492) * _e140), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
-                    phi_856_ = ((3u * _e89) + 1u);
-                    phi_858_ = (_e460 <= _e458);
-                    phi_860_ = 0u;
+                    let _e493 = local[_e477];
+                    phi_4082_ = false;
+                    phi_852_ = type_32(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e459);
+                    phi_855_ = type_49(type_28(vec4<f32>((f32(_e468) * _e141), (f32(_e474) * _e141), (f32(_e480) * _e141), 0f), vec4<f32>((f32(_e485) * _e141), (f32(_e489) * _e141), (f32(_e493) * _e141), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_857_ = ((3u * _e90) + 1u);
+                    phi_859_ = (_e461 <= _e459);
+                    phi_861_ = 0u;
                     loop {
-                        let _e502 = phi_4084_;
-                        let _e504 = phi_851_;
-                        let _e506 = phi_854_;
-                        let _e508 = phi_856_;
-                        let _e510 = phi_858_;
-                        let _e512 = phi_860_;
-                        local_10 = _e504;
-                        if _e510 {
-                            phi_871_ = true;
+                        let _e503 = phi_4082_;
+                        let _e505 = phi_852_;
+                        let _e507 = phi_855_;
+                        let _e509 = phi_857_;
+                        let _e511 = phi_859_;
+                        let _e513 = phi_861_;
+                        local_10 = _e505;
+                        if _e511 {
+                            phi_872_ = true;
                         } else {
-                            phi_871_ = (_e512 > 0u);
+                            phi_872_ = (_e513 > 0u);
                         }
-                        let _e515 = phi_871_;
-                        if _e515 {
-                            let _e516 = (_e508 > 0u);
-                            if _e516 {
-                                if _e510 {
-                                    phi_957_ = _e506;
-                                    phi_958_ = _e510;
-                                    phi_959_ = _e512;
+                        let _e516 = phi_872_;
+                        if _e516 {
+                            let _e517 = (_e509 > 0u);
+                            if _e517 {
+                                if _e511 {
+                                    phi_958_ = _e507;
+                                    phi_959_ = _e511;
+                                    phi_960_ = _e513;
                                 } else {
-                                    let _e517 = (_e512 - 1u);
-                                    let _e518 = (_e517 % 128u);
-                                    let _e519 = (_e518 < 128u);
-                                    if _e519 {
+                                    let _e518 = (_e513 - 1u);
+                                    let _e519 = (_e518 % 128u);
+                                    let _e520 = (_e519 < 128u);
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e521 = local_7[_e518];
-                                    if _e519 {
+                                    let _e522 = local_7[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e523 = local_6[_e518];
-                                    if _e519 {
+                                    let _e524 = local_6[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e525 = local_5[_e518];
-                                    if _e519 {
+                                    let _e526 = local_5[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e527 = local_4[_e518];
-                                    if _e519 {
+                                    let _e528 = local_4[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e529 = local_3[_e518];
-                                    if _e519 {
+                                    let _e530 = local_3[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e531 = local_2[_e518];
-                                    if _e519 {
+                                    let _e532 = local_2[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e536 = local_8[_e518];
-                                    if _e519 {
+                                    let _e537 = local_8[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_4267_ = true;
+                                        phi_4265_ = true;
                                         break;
                                     }
-                                    let _e539 = local_9[_e518];
-                                    phi_957_ = type_49(type_28(vec4<f32>(_e521, _e523, _e525, 0f), vec4<f32>(_e527, _e529, _e531, 0f)), _e536);
-                                    phi_958_ = (_e539 <= _e504.member_1);
-                                    phi_959_ = _e517;
+                                    let _e540 = local_9[_e519];
+                                    phi_958_ = type_49(type_28(vec4<f32>(_e522, _e524, _e526, 0f), vec4<f32>(_e528, _e530, _e532, 0f)), _e537);
+                                    phi_959_ = (_e540 <= _e505.member_1);
+                                    phi_960_ = _e518;
                                 }
-                                let _e543 = phi_957_;
-                                let _e545 = phi_958_;
-                                let _e547 = phi_959_;
-                                if _e545 {
-                                    let _e552 = (_e543.member_1 & 268435455u);
-                                    if ((_e543.member_1 & 2147483648u) != 0u) {
-                                        phi_978_ = _e504;
-                                        phi_981_ = type_8(0u, ((_e543.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e544 = phi_958_;
+                                let _e546 = phi_959_;
+                                let _e548 = phi_960_;
+                                if _e546 {
+                                    let _e553 = (_e544.member_1 & 268435455u);
+                                    if ((_e544.member_1 & 2147483648u) != 0u) {
+                                        phi_979_ = _e505;
+                                        phi_982_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1030 = phi_978_;
-                                            let _e1032 = phi_981_;
-                                            local_11 = _e1030;
-                                            if (_e1032.member < _e1032.member_1) {
-                                                phi_982_ = type_8((_e1032.member + 1u), _e1032.member_1);
-                                                phi_1004_ = type_8(1u, _e1032.member);
+                                            let _e1031 = phi_979_;
+                                            let _e1033 = phi_982_;
+                                            local_11 = _e1031;
+                                            if (_e1033.member < _e1033.member_1) {
+                                                phi_983_ = type_8((_e1033.member + 1u), _e1033.member_1);
+                                                phi_1005_ = type_8(1u, _e1033.member);
                                             } else {
-                                                phi_982_ = _e1032;
-                                                phi_1004_ = type_8(0u, type_8().member_1);
+                                                phi_983_ = _e1033;
+                                                phi_1005_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1045 = phi_982_;
-                                            let _e1047 = phi_1004_;
-                                            let _e1051 = (bitcast<i32>(_e1047.member) != 0i);
-                                            if _e1051 {
-                                                let _e1056 = (_e543.member.member_1.x - _e543.member.member.x);
-                                                let _e1059 = (_e543.member.member_1.y - _e543.member.member.y);
-                                                let _e1062 = (_e543.member.member_1.z - _e543.member.member.z);
-                                                let _e1064 = select(_e1059, _e1056, (_e1056 > _e1059));
-                                                let _e1066 = select(_e1062, _e1064, (_e1064 > _e1062));
-                                                let _e1068 = (_e1066 < (1024f * _e140));
-                                                if _e1068 {
-                                                    phi_1045_ = 0u;
+                                            let _e1046 = phi_983_;
+                                            let _e1048 = phi_1005_;
+                                            let _e1052 = (bitcast<i32>(_e1048.member) != 0i);
+                                            if _e1052 {
+                                                let _e1057 = (_e544.member.member_1.x - _e544.member.member.x);
+                                                let _e1060 = (_e544.member.member_1.y - _e544.member.member.y);
+                                                let _e1063 = (_e544.member.member_1.z - _e544.member.member.z);
+                                                let _e1065 = select(_e1060, _e1057, (_e1057 > _e1060));
+                                                let _e1067 = select(_e1063, _e1065, (_e1065 > _e1063));
+                                                let _e1069 = (_e1067 < (1024f * _e141));
+                                                if _e1069 {
+                                                    phi_1046_ = 0u;
                                                 } else {
-                                                    phi_1045_ = select(2u, 1u, (_e1066 < (2097152f * _e140)));
+                                                    phi_1046_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
                                                 }
-                                                let _e1073 = phi_1045_;
-                                                switch bitcast<i32>(_e1073) {
+                                                let _e1074 = phi_1046_;
+                                                switch bitcast<i32>(_e1074) {
                                                     case 0: {
-                                                        phi_1051_ = 1u;
+                                                        phi_1052_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1051_ = 2u;
+                                                        phi_1052_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1051_ = 3u;
+                                                        phi_1052_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1051_ = u32();
+                                                        phi_1052_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1076 = phi_1051_;
-                                                switch bitcast<i32>(_e1073) {
+                                                let _e1077 = phi_1052_;
+                                                switch bitcast<i32>(_e1074) {
                                                     case 0: {
-                                                        phi_1061_ = 1u;
+                                                        phi_1062_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1061_ = 2u;
+                                                        phi_1062_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1061_ = 3u;
+                                                        phi_1062_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1061_ = u32();
+                                                        phi_1062_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1083 = phi_1061_;
-                                                let _e1085 = ((_e552 + (_e1047.member_1 * ((3u * _e1076) + 1u))) + (3u * _e1083));
-                                                let _e1086 = (_e1085 < _e92);
-                                                if _e1086 {
-                                                    if _e1086 {
+                                                let _e1084 = phi_1062_;
+                                                let _e1086 = ((_e553 + (_e1048.member_1 * ((3u * _e1077) + 1u))) + (3u * _e1084));
+                                                let _e1087 = (_e1086 < _e93);
+                                                if _e1087 {
+                                                    if _e1087 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4076_ = true;
                                                         break;
                                                     }
-                                                    let _e1088 = global_5.member[_e1085];
-                                                    phi_1077_ = _e1088;
+                                                    let _e1089 = global_5.member[_e1086];
+                                                    phi_1078_ = _e1089;
                                                 } else {
-                                                    phi_1077_ = 4294967295u;
+                                                    phi_1078_ = 4294967295u;
                                                 }
-                                                let _e1090 = phi_1077_;
-                                                if _e1068 {
-                                                    phi_1110_ = 0u;
+                                                let _e1091 = phi_1078_;
+                                                if _e1069 {
+                                                    phi_1111_ = 0u;
                                                 } else {
-                                                    phi_1110_ = select(2u, 1u, (_e1066 < (2097152f * _e140)));
+                                                    phi_1111_ = select(2u, 1u, (_e1067 < (2097152f * _e141)));
                                                 }
-                                                let _e1095 = phi_1110_;
-                                                switch bitcast<i32>(_e1095) {
+                                                let _e1096 = phi_1111_;
+                                                switch bitcast<i32>(_e1096) {
                                                     case 0: {
-                                                        phi_1116_ = 1u;
+                                                        phi_1117_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1116_ = 2u;
+                                                        phi_1117_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1116_ = 3u;
+                                                        phi_1117_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1116_ = u32();
+                                                        phi_1117_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1098 = phi_1116_;
-                                                let _e1102 = (_e552 + (_e1047.member_1 * ((3u * _e1098) + 1u)));
-                                                switch bitcast<i32>(_e1095) {
+                                                let _e1099 = phi_1117_;
+                                                let _e1103 = (_e553 + (_e1048.member_1 * ((3u * _e1099) + 1u)));
+                                                switch bitcast<i32>(_e1096) {
                                                     case 0: {
-                                                        let _e1368 = (_e1102 < _e92);
-                                                        if _e1368 {
-                                                            if _e1368 {
+                                                        let _e1369 = (_e1103 < _e93);
+                                                        if _e1369 {
+                                                            if _e1369 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1370 = global_5.member[_e1102];
-                                                            phi_1140_ = _e1370;
+                                                            let _e1371 = global_5.member[_e1103];
+                                                            phi_1141_ = _e1371;
                                                         } else {
-                                                            phi_1140_ = 0u;
+                                                            phi_1141_ = 0u;
                                                         }
-                                                        let _e1372 = phi_1140_;
-                                                        let _e1374 = ((10u * _e260) & 31u);
-                                                        let _e1383 = ((10u * _e259) & 31u);
-                                                        let _e1392 = ((10u * _e261) & 31u);
-                                                        let _e1401 = (_e1102 + 1u);
-                                                        let _e1402 = (_e1401 < _e92);
-                                                        if _e1402 {
-                                                            if _e1402 {
+                                                        let _e1373 = phi_1141_;
+                                                        let _e1375 = ((10u * _e261) & 31u);
+                                                        let _e1384 = ((10u * _e260) & 31u);
+                                                        let _e1393 = ((10u * _e262) & 31u);
+                                                        let _e1402 = (_e1103 + 1u);
+                                                        let _e1403 = (_e1402 < _e93);
+                                                        if _e1403 {
+                                                            if _e1403 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1404 = global_5.member[_e1401];
-                                                            phi_1183_ = _e1404;
+                                                            let _e1405 = global_5.member[_e1402];
+                                                            phi_1184_ = _e1405;
                                                         } else {
-                                                            phi_1183_ = 0u;
+                                                            phi_1184_ = 0u;
                                                         }
-                                                        let _e1406 = phi_1183_;
-                                                        let _e1429 = (_e1102 + 2u);
-                                                        let _e1430 = (_e1429 < _e92);
-                                                        if _e1430 {
-                                                            if _e1430 {
+                                                        let _e1407 = phi_1184_;
+                                                        let _e1430 = (_e1103 + 2u);
+                                                        let _e1431 = (_e1430 < _e93);
+                                                        if _e1431 {
+                                                            if _e1431 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1432 = global_5.member[_e1429];
-                                                            phi_1226_ = _e1432;
+                                                            let _e1433 = global_5.member[_e1430];
+                                                            phi_1227_ = _e1433;
                                                         } else {
-                                                            phi_1226_ = 0u;
+                                                            phi_1227_ = 0u;
                                                         }
-                                                        let _e1434 = phi_1226_;
-                                                        phi_1697_ = array<array<f32, 3>, 3>(array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))));
+                                                        let _e1435 = phi_1227_;
+                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1375)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1384)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1393)) & 1023u))) * _e141))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1191 = (_e1102 < _e92);
-                                                        if _e1191 {
-                                                            if _e1191 {
+                                                        let _e1192 = (_e1103 < _e93);
+                                                        if _e1192 {
+                                                            if _e1192 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1193 = global_5.member[_e1102];
-                                                            phi_1269_ = _e1193;
+                                                            let _e1194 = global_5.member[_e1103];
+                                                            phi_1270_ = _e1194;
                                                         } else {
-                                                            phi_1269_ = 0u;
+                                                            phi_1270_ = 0u;
                                                         }
-                                                        let _e1195 = phi_1269_;
-                                                        let _e1196 = (_e1102 + 1u);
-                                                        let _e1197 = (_e1196 < _e92);
-                                                        if _e1197 {
-                                                            if _e1197 {
+                                                        let _e1196 = phi_1270_;
+                                                        let _e1197 = (_e1103 + 1u);
+                                                        let _e1198 = (_e1197 < _e93);
+                                                        if _e1198 {
+                                                            if _e1198 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1199 = global_5.member[_e1196];
-                                                            phi_1284_ = _e1199;
+                                                            let _e1200 = global_5.member[_e1197];
+                                                            phi_1285_ = _e1200;
                                                         } else {
-                                                            phi_1284_ = 0u;
+                                                            phi_1285_ = 0u;
                                                         }
-                                                        let _e1201 = phi_1284_;
-                                                        let _e1202 = (_e260 == 1u);
-                                                        if _e1202 {
-                                                            phi_1294_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1202 = phi_1285_;
+                                                        let _e1203 = (_e261 == 1u);
+                                                        if _e1203 {
+                                                            phi_1295_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1294_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1295_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1211 = phi_1294_;
-                                                        let _e1218 = (_e259 == 1u);
-                                                        if _e1218 {
-                                                            phi_1314_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1212 = phi_1295_;
+                                                        let _e1219 = (_e260 == 1u);
+                                                        if _e1219 {
+                                                            phi_1315_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1314_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1315_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1227 = phi_1314_;
-                                                        let _e1234 = (_e261 == 1u);
-                                                        if _e1234 {
-                                                            phi_1334_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1228 = phi_1315_;
+                                                        let _e1235 = (_e262 == 1u);
+                                                        if _e1235 {
+                                                            phi_1335_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1334_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1335_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1243 = phi_1334_;
-                                                        let _e1251 = (_e1102 + 2u);
-                                                        let _e1252 = (_e1251 < _e92);
-                                                        if _e1252 {
-                                                            if _e1252 {
+                                                        let _e1244 = phi_1335_;
+                                                        let _e1252 = (_e1103 + 2u);
+                                                        let _e1253 = (_e1252 < _e93);
+                                                        if _e1253 {
+                                                            if _e1253 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1254 = global_5.member[_e1251];
-                                                            phi_1360_ = _e1254;
+                                                            let _e1255 = global_5.member[_e1252];
+                                                            phi_1361_ = _e1255;
                                                         } else {
-                                                            phi_1360_ = 0u;
+                                                            phi_1361_ = 0u;
                                                         }
-                                                        let _e1256 = phi_1360_;
-                                                        let _e1257 = (_e1102 + 3u);
-                                                        let _e1258 = (_e1257 < _e92);
-                                                        if _e1258 {
-                                                            if _e1258 {
+                                                        let _e1257 = phi_1361_;
+                                                        let _e1258 = (_e1103 + 3u);
+                                                        let _e1259 = (_e1258 < _e93);
+                                                        if _e1259 {
+                                                            if _e1259 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1260 = global_5.member[_e1257];
-                                                            phi_1375_ = _e1260;
+                                                            let _e1261 = global_5.member[_e1258];
+                                                            phi_1376_ = _e1261;
                                                         } else {
-                                                            phi_1375_ = 0u;
+                                                            phi_1376_ = 0u;
                                                         }
-                                                        let _e1262 = phi_1375_;
-                                                        if _e1202 {
-                                                            phi_1385_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1263 = phi_1376_;
+                                                        if _e1203 {
+                                                            phi_1386_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1385_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1386_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1271 = phi_1385_;
-                                                        if _e1218 {
-                                                            phi_1405_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1272 = phi_1386_;
+                                                        if _e1219 {
+                                                            phi_1406_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1405_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1406_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1286 = phi_1405_;
-                                                        if _e1234 {
-                                                            phi_1425_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1287 = phi_1406_;
+                                                        if _e1235 {
+                                                            phi_1426_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1425_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1426_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1301 = phi_1425_;
-                                                        let _e1309 = (_e1102 + 4u);
-                                                        let _e1310 = (_e1309 < _e92);
-                                                        if _e1310 {
-                                                            if _e1310 {
+                                                        let _e1302 = phi_1426_;
+                                                        let _e1310 = (_e1103 + 4u);
+                                                        let _e1311 = (_e1310 < _e93);
+                                                        if _e1311 {
+                                                            if _e1311 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1312 = global_5.member[_e1309];
-                                                            phi_1451_ = _e1312;
+                                                            let _e1313 = global_5.member[_e1310];
+                                                            phi_1452_ = _e1313;
                                                         } else {
-                                                            phi_1451_ = 0u;
+                                                            phi_1452_ = 0u;
                                                         }
-                                                        let _e1314 = phi_1451_;
-                                                        let _e1315 = (_e1102 + 5u);
-                                                        let _e1316 = (_e1315 < _e92);
-                                                        if _e1316 {
-                                                            if _e1316 {
+                                                        let _e1315 = phi_1452_;
+                                                        let _e1316 = (_e1103 + 5u);
+                                                        let _e1317 = (_e1316 < _e93);
+                                                        if _e1317 {
+                                                            if _e1317 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1318 = global_5.member[_e1315];
-                                                            phi_1466_ = _e1318;
+                                                            let _e1319 = global_5.member[_e1316];
+                                                            phi_1467_ = _e1319;
                                                         } else {
-                                                            phi_1466_ = 0u;
+                                                            phi_1467_ = 0u;
                                                         }
-                                                        let _e1320 = phi_1466_;
-                                                        if _e1202 {
-                                                            phi_1476_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1321 = phi_1467_;
+                                                        if _e1203 {
+                                                            phi_1477_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1476_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1477_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1329 = phi_1476_;
-                                                        if _e1218 {
-                                                            phi_1496_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1330 = phi_1477_;
+                                                        if _e1219 {
+                                                            phi_1497_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1496_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1497_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1344 = phi_1496_;
-                                                        if _e1234 {
-                                                            phi_1516_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1345 = phi_1497_;
+                                                        if _e1235 {
+                                                            phi_1517_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1516_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1517_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1359 = phi_1516_;
-                                                        phi_1697_ = array<array<f32, 3>, 3>(array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1211, _e1195, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1227, _e1195, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1243, _e1195, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1271, _e1256, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1286, _e1256, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1301, _e1256, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1329, _e1314, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1344, _e1314, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1359, _e1314, _e376) & 2097151u))) * _e140))));
+                                                        let _e1360 = phi_1517_;
+                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1212, _e1196, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1228, _e1196, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1244, _e1196, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1272, _e1257, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1287, _e1257, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1302, _e1257, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1330, _e1315, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1345, _e1315, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1360, _e1315, _e377) & 2097151u))) * _e141))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1104 = (_e1102 + _e260);
-                                                        let _e1105 = (_e1104 < _e92);
-                                                        if _e1105 {
-                                                            if _e1105 {
+                                                        let _e1105 = (_e1103 + _e261);
+                                                        let _e1106 = (_e1105 < _e93);
+                                                        if _e1106 {
+                                                            if _e1106 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1107 = global_5.member[_e1104];
-                                                            phi_1543_ = _e1107;
+                                                            let _e1108 = global_5.member[_e1105];
+                                                            phi_1544_ = _e1108;
                                                         } else {
-                                                            phi_1543_ = 0u;
+                                                            phi_1544_ = 0u;
                                                         }
-                                                        let _e1109 = phi_1543_;
-                                                        let _e1113 = (_e1102 + _e259);
-                                                        let _e1114 = (_e1113 < _e92);
-                                                        if _e1114 {
-                                                            if _e1114 {
+                                                        let _e1110 = phi_1544_;
+                                                        let _e1114 = (_e1103 + _e260);
+                                                        let _e1115 = (_e1114 < _e93);
+                                                        if _e1115 {
+                                                            if _e1115 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1116 = global_5.member[_e1113];
-                                                            phi_1561_ = _e1116;
+                                                            let _e1117 = global_5.member[_e1114];
+                                                            phi_1562_ = _e1117;
                                                         } else {
-                                                            phi_1561_ = 0u;
+                                                            phi_1562_ = 0u;
                                                         }
-                                                        let _e1118 = phi_1561_;
-                                                        let _e1122 = (_e1102 + _e261);
-                                                        let _e1123 = (_e1122 < _e92);
-                                                        if _e1123 {
-                                                            if _e1123 {
+                                                        let _e1119 = phi_1562_;
+                                                        let _e1123 = (_e1103 + _e262);
+                                                        let _e1124 = (_e1123 < _e93);
+                                                        if _e1124 {
+                                                            if _e1124 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1125 = global_5.member[_e1122];
-                                                            phi_1579_ = _e1125;
+                                                            let _e1126 = global_5.member[_e1123];
+                                                            phi_1580_ = _e1126;
                                                         } else {
-                                                            phi_1579_ = 0u;
+                                                            phi_1580_ = 0u;
                                                         }
-                                                        let _e1127 = phi_1579_;
-                                                        let _e1132 = (_e1102 + 3u);
-                                                        let _e1133 = (_e1132 + _e260);
-                                                        let _e1134 = (_e1133 < _e92);
-                                                        if _e1134 {
-                                                            if _e1134 {
+                                                        let _e1128 = phi_1580_;
+                                                        let _e1133 = (_e1103 + 3u);
+                                                        let _e1134 = (_e1133 + _e261);
+                                                        let _e1135 = (_e1134 < _e93);
+                                                        if _e1135 {
+                                                            if _e1135 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1136 = global_5.member[_e1133];
-                                                            phi_1599_ = _e1136;
+                                                            let _e1137 = global_5.member[_e1134];
+                                                            phi_1600_ = _e1137;
                                                         } else {
-                                                            phi_1599_ = 0u;
+                                                            phi_1600_ = 0u;
                                                         }
-                                                        let _e1138 = phi_1599_;
-                                                        let _e1142 = (_e1132 + _e259);
-                                                        let _e1143 = (_e1142 < _e92);
-                                                        if _e1143 {
-                                                            if _e1143 {
+                                                        let _e1139 = phi_1600_;
+                                                        let _e1143 = (_e1133 + _e260);
+                                                        let _e1144 = (_e1143 < _e93);
+                                                        if _e1144 {
+                                                            if _e1144 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1145 = global_5.member[_e1142];
-                                                            phi_1617_ = _e1145;
+                                                            let _e1146 = global_5.member[_e1143];
+                                                            phi_1618_ = _e1146;
                                                         } else {
-                                                            phi_1617_ = 0u;
+                                                            phi_1618_ = 0u;
                                                         }
-                                                        let _e1147 = phi_1617_;
-                                                        let _e1151 = (_e1132 + _e261);
-                                                        let _e1152 = (_e1151 < _e92);
-                                                        if _e1152 {
-                                                            if _e1152 {
+                                                        let _e1148 = phi_1618_;
+                                                        let _e1152 = (_e1133 + _e262);
+                                                        let _e1153 = (_e1152 < _e93);
+                                                        if _e1153 {
+                                                            if _e1153 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1154 = global_5.member[_e1151];
-                                                            phi_1635_ = _e1154;
+                                                            let _e1155 = global_5.member[_e1152];
+                                                            phi_1636_ = _e1155;
                                                         } else {
-                                                            phi_1635_ = 0u;
+                                                            phi_1636_ = 0u;
                                                         }
-                                                        let _e1156 = phi_1635_;
-                                                        let _e1161 = (_e1102 + 6u);
-                                                        let _e1162 = (_e1161 + _e260);
-                                                        let _e1163 = (_e1162 < _e92);
-                                                        if _e1163 {
-                                                            if _e1163 {
+                                                        let _e1157 = phi_1636_;
+                                                        let _e1162 = (_e1103 + 6u);
+                                                        let _e1163 = (_e1162 + _e261);
+                                                        let _e1164 = (_e1163 < _e93);
+                                                        if _e1164 {
+                                                            if _e1164 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1165 = global_5.member[_e1162];
-                                                            phi_1655_ = _e1165;
+                                                            let _e1166 = global_5.member[_e1163];
+                                                            phi_1656_ = _e1166;
                                                         } else {
-                                                            phi_1655_ = 0u;
+                                                            phi_1656_ = 0u;
                                                         }
-                                                        let _e1167 = phi_1655_;
-                                                        let _e1171 = (_e1161 + _e259);
-                                                        let _e1172 = (_e1171 < _e92);
-                                                        if _e1172 {
-                                                            if _e1172 {
+                                                        let _e1168 = phi_1656_;
+                                                        let _e1172 = (_e1162 + _e260);
+                                                        let _e1173 = (_e1172 < _e93);
+                                                        if _e1173 {
+                                                            if _e1173 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1174 = global_5.member[_e1171];
-                                                            phi_1673_ = _e1174;
+                                                            let _e1175 = global_5.member[_e1172];
+                                                            phi_1674_ = _e1175;
                                                         } else {
-                                                            phi_1673_ = 0u;
+                                                            phi_1674_ = 0u;
                                                         }
-                                                        let _e1176 = phi_1673_;
-                                                        let _e1180 = (_e1161 + _e261);
-                                                        let _e1181 = (_e1180 < _e92);
-                                                        if _e1181 {
-                                                            if _e1181 {
+                                                        let _e1177 = phi_1674_;
+                                                        let _e1181 = (_e1162 + _e262);
+                                                        let _e1182 = (_e1181 < _e93);
+                                                        if _e1182 {
+                                                            if _e1182 {
                                                             } else {
-                                                                phi_4078_ = true;
+                                                                phi_4076_ = true;
                                                                 break;
                                                             }
-                                                            let _e1183 = global_5.member[_e1180];
-                                                            phi_1691_ = _e1183;
+                                                            let _e1184 = global_5.member[_e1181];
+                                                            phi_1692_ = _e1184;
                                                         } else {
-                                                            phi_1691_ = 0u;
+                                                            phi_1692_ = 0u;
                                                         }
-                                                        let _e1185 = phi_1691_;
-                                                        phi_1697_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1109)) * _e140), (f32(bitcast<i32>(_e1118)) * _e140), (f32(bitcast<i32>(_e1127)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1138)) * _e140), (f32(bitcast<i32>(_e1147)) * _e140), (f32(bitcast<i32>(_e1156)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1167)) * _e140), (f32(bitcast<i32>(_e1176)) * _e140), (f32(bitcast<i32>(_e1185)) * _e140)));
+                                                        let _e1186 = phi_1692_;
+                                                        phi_1698_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1110)) * _e141), (f32(bitcast<i32>(_e1119)) * _e141), (f32(bitcast<i32>(_e1128)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1139)) * _e141), (f32(bitcast<i32>(_e1148)) * _e141), (f32(bitcast<i32>(_e1157)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1168)) * _e141), (f32(bitcast<i32>(_e1177)) * _e141), (f32(bitcast<i32>(_e1186)) * _e141)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1697_ = array<array<f32, 3>, 3>();
+                                                        phi_1698_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1459 = phi_1697_;
-                                                let _e1467 = (_e1459[0][2] - _e386);
-                                                let _e1470 = (((_e1459[0][0] - _e309) * _e410) - (_e1467 * _e334));
-                                                let _e1473 = (((_e1459[0][1] - _e348) * _e410) - (_e1467 * _e372));
-                                                let _e1480 = (_e1459[1][2] - _e386);
-                                                let _e1483 = (((_e1459[1][0] - _e309) * _e410) - (_e1480 * _e334));
-                                                let _e1486 = (((_e1459[1][1] - _e348) * _e410) - (_e1480 * _e372));
-                                                let _e1493 = (_e1459[2][2] - _e386);
-                                                let _e1496 = (((_e1459[2][0] - _e309) * _e410) - (_e1493 * _e334));
-                                                let _e1499 = (((_e1459[2][1] - _e348) * _e410) - (_e1493 * _e372));
-                                                let _e1500 = (_e1496 * _e1486);
-                                                let _e1501 = (_e1499 * _e1483);
-                                                let _e1502 = (_e1470 * _e1499);
-                                                let _e1503 = (_e1473 * _e1496);
-                                                let _e1504 = (_e1483 * _e1473);
-                                                let _e1505 = (_e1486 * _e1470);
-                                                let _e1510 = (((_e1500 >= _e1501) && (_e1502 >= _e1503)) && (_e1504 >= _e1505));
-                                                if (_e1510 || (((_e1500 <= _e1501) && (_e1502 <= _e1503)) && (_e1504 <= _e1505))) {
-                                                    let _e1517 = select(-1f, 1f, _e1510);
-                                                    let _e1519 = ((_e1500 - _e1501) * _e1517);
-                                                    let _e1521 = select(0f, _e1519, (_e1519 > 0f));
-                                                    let _e1523 = ((_e1502 - _e1503) * _e1517);
-                                                    let _e1525 = select(0f, _e1523, (_e1523 > 0f));
-                                                    let _e1527 = ((_e1504 - _e1505) * _e1517);
-                                                    let _e1529 = select(0f, _e1527, (_e1527 > 0f));
-                                                    let _e1531 = ((_e1521 + _e1525) + _e1529);
-                                                    if (_e1531 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2525_ = type_20();
-                                                        phi_2526_ = true;
-                                                        phi_2527_ = false;
+                                                let _e1460 = phi_1698_;
+                                                let _e1468 = (_e1460[0][2] - _e387);
+                                                let _e1471 = (((_e1460[0][0] - _e310) * _e411) - (_e1468 * _e335));
+                                                let _e1474 = (((_e1460[0][1] - _e349) * _e411) - (_e1468 * _e373));
+                                                let _e1481 = (_e1460[1][2] - _e387);
+                                                let _e1484 = (((_e1460[1][0] - _e310) * _e411) - (_e1481 * _e335));
+                                                let _e1487 = (((_e1460[1][1] - _e349) * _e411) - (_e1481 * _e373));
+                                                let _e1494 = (_e1460[2][2] - _e387);
+                                                let _e1497 = (((_e1460[2][0] - _e310) * _e411) - (_e1494 * _e335));
+                                                let _e1500 = (((_e1460[2][1] - _e349) * _e411) - (_e1494 * _e373));
+                                                let _e1501 = (_e1497 * _e1487);
+                                                let _e1502 = (_e1500 * _e1484);
+                                                let _e1503 = (_e1471 * _e1500);
+                                                let _e1504 = (_e1474 * _e1497);
+                                                let _e1505 = (_e1484 * _e1474);
+                                                let _e1506 = (_e1487 * _e1471);
+                                                let _e1511 = (((_e1501 >= _e1502) && (_e1503 >= _e1504)) && (_e1505 >= _e1506));
+                                                if (_e1511 || (((_e1501 <= _e1502) && (_e1503 <= _e1504)) && (_e1505 <= _e1506))) {
+                                                    let _e1518 = select(-1f, 1f, _e1511);
+                                                    let _e1520 = ((_e1501 - _e1502) * _e1518);
+                                                    let _e1522 = select(0f, _e1520, (_e1520 > 0f));
+                                                    let _e1524 = ((_e1503 - _e1504) * _e1518);
+                                                    let _e1526 = select(0f, _e1524, (_e1524 > 0f));
+                                                    let _e1528 = ((_e1505 - _e1506) * _e1518);
+                                                    let _e1530 = select(0f, _e1528, (_e1528 > 0f));
+                                                    let _e1532 = ((_e1522 + _e1526) + _e1530);
+                                                    if (_e1532 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2523_ = type_20();
+                                                        phi_2524_ = true;
+                                                        phi_2525_ = false;
                                                     } else {
-                                                        let _e1534 = select(_e1483, _e1470, (_e1470 < _e1483));
-                                                        if (select(_e1496, _e1534, (_e1534 < _e1496)) > 0f) {
-                                                            phi_1814_ = true;
+                                                        let _e1535 = select(_e1484, _e1471, (_e1471 < _e1484));
+                                                        if (select(_e1497, _e1535, (_e1535 < _e1497)) > 0f) {
+                                                            phi_1815_ = true;
                                                         } else {
-                                                            let _e1539 = select(_e1483, _e1470, (_e1470 > _e1483));
-                                                            phi_1814_ = (select(_e1496, _e1539, (_e1539 > _e1496)) < 0f);
+                                                            let _e1540 = select(_e1484, _e1471, (_e1471 > _e1484));
+                                                            phi_1815_ = (select(_e1497, _e1540, (_e1540 > _e1497)) < 0f);
                                                         }
-                                                        let _e1544 = phi_1814_;
-                                                        if _e1544 {
-                                                            phi_2522_ = type_20();
-                                                            phi_2523_ = true;
-                                                            phi_2524_ = false;
+                                                        let _e1545 = phi_1815_;
+                                                        if _e1545 {
+                                                            phi_2520_ = type_20();
+                                                            phi_2521_ = true;
+                                                            phi_2522_ = false;
                                                         } else {
-                                                            let _e1546 = select(_e1486, _e1473, (_e1473 < _e1486));
-                                                            if (select(_e1499, _e1546, (_e1546 < _e1499)) > 0f) {
-                                                                phi_1843_ = true;
+                                                            let _e1547 = select(_e1487, _e1474, (_e1474 < _e1487));
+                                                            if (select(_e1500, _e1547, (_e1547 < _e1500)) > 0f) {
+                                                                phi_1844_ = true;
                                                             } else {
-                                                                let _e1551 = select(_e1486, _e1473, (_e1473 > _e1486));
-                                                                phi_1843_ = (select(_e1499, _e1551, (_e1551 > _e1499)) < 0f);
+                                                                let _e1552 = select(_e1487, _e1474, (_e1474 > _e1487));
+                                                                phi_1844_ = (select(_e1500, _e1552, (_e1552 > _e1500)) < 0f);
                                                             }
-                                                            let _e1556 = phi_1843_;
-                                                            if _e1556 {
-                                                                phi_2520_ = type_20();
-                                                                phi_2521_ = false;
+                                                            let _e1557 = phi_1844_;
+                                                            if _e1557 {
+                                                                phi_2518_ = type_20();
+                                                                phi_2519_ = false;
                                                             } else {
-                                                                let _e1558 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] < _e1459[1][0]));
-                                                                let _e1562 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] > _e1459[1][0]));
-                                                                let _e1566 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] < _e1459[1][1]));
-                                                                let _e1570 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] > _e1459[1][1]));
-                                                                let _e1574 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] < _e1459[1][2]));
-                                                                let _e1578 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] > _e1459[1][2]));
-                                                                let _e1583 = ((select(_e1459[2][0], _e1558, (_e1558 < _e1459[2][0])) - _e332) * _e337);
-                                                                let _e1584 = ((select(_e1459[2][0], _e1562, (_e1562 > _e1459[2][0])) - _e333) * _e337);
-                                                                let _e1587 = ((select(_e1459[2][1], _e1566, (_e1566 < _e1459[2][1])) - _e370) * _e375);
-                                                                let _e1588 = ((select(_e1459[2][1], _e1570, (_e1570 > _e1459[2][1])) - _e371) * _e375);
-                                                                let _e1591 = ((select(_e1459[2][2], _e1574, (_e1574 < _e1459[2][2])) - _e408) * _e413);
-                                                                let _e1592 = ((select(_e1459[2][2], _e1578, (_e1578 > _e1459[2][2])) - _e409) * _e413);
-                                                                let _e1594 = select(_e1592, _e1591, (_e1591 < _e1592));
-                                                                let _e1596 = select(_e1592, _e1591, (_e1591 > _e1592));
-                                                                let _e1598 = select(_e1584, _e1583, (_e1583 < _e1584));
-                                                                let _e1600 = select(_e1588, _e1587, (_e1587 < _e1588));
-                                                                let _e1602 = select(_e1600, _e1598, (_e1598 > _e1600));
-                                                                let _e1604 = select(_e1594, _e1602, (_e1602 > _e1594));
-                                                                let _e1606 = select(_e1584, _e1583, (_e1583 > _e1584));
-                                                                let _e1608 = select(_e1588, _e1587, (_e1587 > _e1588));
-                                                                let _e1610 = select(_e1608, _e1606, (_e1606 < _e1608));
-                                                                let _e1612 = select(_e1596, _e1610, (_e1610 < _e1596));
-                                                                let _e1613 = -(_e1594);
-                                                                let _e1619 = select(_e460, _e1604, (_e1604 > _e460));
-                                                                if (_e1619 > (_e1612 + (select(_e1613, _e1596, (_e1596 > _e1613)) * 0.0000019073523f))) {
-                                                                    phi_2515_ = type_20();
-                                                                    phi_2516_ = true;
+                                                                let _e1559 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] < _e1460[1][0]));
+                                                                let _e1563 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] > _e1460[1][0]));
+                                                                let _e1567 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] < _e1460[1][1]));
+                                                                let _e1571 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] > _e1460[1][1]));
+                                                                let _e1575 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] < _e1460[1][2]));
+                                                                let _e1579 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] > _e1460[1][2]));
+                                                                let _e1584 = ((select(_e1460[2][0], _e1559, (_e1559 < _e1460[2][0])) - _e333) * _e338);
+                                                                let _e1585 = ((select(_e1460[2][0], _e1563, (_e1563 > _e1460[2][0])) - _e334) * _e338);
+                                                                let _e1588 = ((select(_e1460[2][1], _e1567, (_e1567 < _e1460[2][1])) - _e371) * _e376);
+                                                                let _e1589 = ((select(_e1460[2][1], _e1571, (_e1571 > _e1460[2][1])) - _e372) * _e376);
+                                                                let _e1592 = ((select(_e1460[2][2], _e1575, (_e1575 < _e1460[2][2])) - _e409) * _e414);
+                                                                let _e1593 = ((select(_e1460[2][2], _e1579, (_e1579 > _e1460[2][2])) - _e410) * _e414);
+                                                                let _e1595 = select(_e1593, _e1592, (_e1592 < _e1593));
+                                                                let _e1597 = select(_e1593, _e1592, (_e1592 > _e1593));
+                                                                let _e1599 = select(_e1585, _e1584, (_e1584 < _e1585));
+                                                                let _e1601 = select(_e1589, _e1588, (_e1588 < _e1589));
+                                                                let _e1603 = select(_e1601, _e1599, (_e1599 > _e1601));
+                                                                let _e1605 = select(_e1595, _e1603, (_e1603 > _e1595));
+                                                                let _e1607 = select(_e1585, _e1584, (_e1584 > _e1585));
+                                                                let _e1609 = select(_e1589, _e1588, (_e1588 > _e1589));
+                                                                let _e1611 = select(_e1609, _e1607, (_e1607 < _e1609));
+                                                                let _e1613 = select(_e1597, _e1611, (_e1611 < _e1597));
+                                                                let _e1614 = -(_e1595);
+                                                                let _e1620 = select(_e461, _e1605, (_e1605 > _e461));
+                                                                if (_e1620 > (_e1613 + (select(_e1614, _e1597, (_e1597 > _e1614)) * 0.0000019073523f))) {
+                                                                    phi_2513_ = type_20();
+                                                                    phi_2514_ = true;
                                                                 } else {
-                                                                    let _e1621 = (_e1619 > _e1030.member_1);
-                                                                    if _e1621 {
-                                                                        phi_2514_ = type_20();
+                                                                    let _e1622 = (_e1620 > _e1031.member_1);
+                                                                    if _e1622 {
+                                                                        phi_2512_ = type_20();
                                                                     } else {
-                                                                        let _e1622 = vec3<f32>(_e1459[0][0], _e1459[0][1], _e1459[0][2]);
-                                                                        let _e1623 = vec3<f32>(_e1459[1][0], _e1459[1][1], _e1459[1][2]);
-                                                                        let _e1624 = vec3<f32>(_e1459[2][0], _e1459[2][1], _e1459[2][2]);
-                                                                        let _e1625 = (_e1459[1][0] - _e1459[0][0]);
-                                                                        let _e1626 = (_e1459[1][1] - _e1459[0][1]);
-                                                                        let _e1627 = (_e1459[1][2] - _e1459[0][2]);
-                                                                        let _e1628 = vec3<f32>(_e1625, _e1626, _e1627);
-                                                                        let _e1629 = (_e1459[2][0] - _e1459[1][0]);
-                                                                        let _e1630 = (_e1459[2][1] - _e1459[1][1]);
-                                                                        let _e1631 = (_e1459[2][2] - _e1459[1][2]);
-                                                                        let _e1632 = vec3<f32>(_e1629, _e1630, _e1631);
-                                                                        let _e1633 = (_e1459[0][0] - _e1459[2][0]);
-                                                                        let _e1634 = (_e1459[0][1] - _e1459[2][1]);
-                                                                        let _e1635 = (_e1459[0][2] - _e1459[2][2]);
-                                                                        let _e1636 = vec3<f32>(_e1633, _e1634, _e1635);
-                                                                        let _e1639 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
-                                                                        let _e1642 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                        let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
-                                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                        let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
-                                                                        let _e1652 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
-                                                                        let _e1655 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                        let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
-                                                                        let _e1660 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                        let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
-                                                                        let _e1665 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
-                                                                        let _e1668 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
-                                                                        let _e1670 = select(_e1668, _e1665, (_e1665 > _e1668));
-                                                                        let _e1673 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                        let _e1675 = select(_e1673, _e1670, (_e1670 > _e1673));
-                                                                        let _e1677 = select(_e1662, _e1649, (_e1649 > _e1662));
-                                                                        let _e1679 = select(_e1675, _e1677, (_e1677 > _e1675));
-                                                                        if (_e1649 == _e1679) {
-                                                                            phi_2244_ = _e1486;
-                                                                            phi_2245_ = _e1483;
-                                                                            phi_2246_ = _e1473;
-                                                                            phi_2247_ = _e1470;
-                                                                            phi_2248_ = _e1622;
-                                                                            phi_2249_ = _e1636;
-                                                                            phi_2250_ = _e1632;
-                                                                            phi_2251_ = _e1628;
+                                                                        let _e1623 = vec3<f32>(_e1460[0][0], _e1460[0][1], _e1460[0][2]);
+                                                                        let _e1624 = vec3<f32>(_e1460[1][0], _e1460[1][1], _e1460[1][2]);
+                                                                        let _e1625 = vec3<f32>(_e1460[2][0], _e1460[2][1], _e1460[2][2]);
+                                                                        let _e1626 = (_e1460[1][0] - _e1460[0][0]);
+                                                                        let _e1627 = (_e1460[1][1] - _e1460[0][1]);
+                                                                        let _e1628 = (_e1460[1][2] - _e1460[0][2]);
+                                                                        let _e1629 = vec3<f32>(_e1626, _e1627, _e1628);
+                                                                        let _e1630 = (_e1460[2][0] - _e1460[1][0]);
+                                                                        let _e1631 = (_e1460[2][1] - _e1460[1][1]);
+                                                                        let _e1632 = (_e1460[2][2] - _e1460[1][2]);
+                                                                        let _e1633 = vec3<f32>(_e1630, _e1631, _e1632);
+                                                                        let _e1634 = (_e1460[0][0] - _e1460[2][0]);
+                                                                        let _e1635 = (_e1460[0][1] - _e1460[2][1]);
+                                                                        let _e1636 = (_e1460[0][2] - _e1460[2][2]);
+                                                                        let _e1637 = vec3<f32>(_e1634, _e1635, _e1636);
+                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
+                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
+                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
+                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
+                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
+                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
+                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
+                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
+                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
+                                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
+                                                                        let _e1666 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
+                                                                        let _e1669 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
+                                                                        let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
+                                                                        let _e1674 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
+                                                                        let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
+                                                                        let _e1678 = select(_e1663, _e1650, (_e1650 > _e1663));
+                                                                        let _e1680 = select(_e1676, _e1678, (_e1678 > _e1676));
+                                                                        if (_e1650 == _e1680) {
+                                                                            phi_2245_ = _e1487;
+                                                                            phi_2246_ = _e1484;
+                                                                            phi_2247_ = _e1474;
+                                                                            phi_2248_ = _e1471;
+                                                                            phi_2249_ = _e1623;
+                                                                            phi_2250_ = _e1637;
+                                                                            phi_2251_ = _e1633;
+                                                                            phi_2252_ = _e1629;
                                                                         } else {
-                                                                            let _e1681 = (_e1662 == _e1679);
-                                                                            let _e1686 = vec3(_e1681);
-                                                                            phi_2244_ = select(_e1473, _e1499, _e1681);
-                                                                            phi_2245_ = select(_e1470, _e1496, _e1681);
-                                                                            phi_2246_ = select(_e1499, _e1486, _e1681);
-                                                                            phi_2247_ = select(_e1496, _e1483, _e1681);
-                                                                            phi_2248_ = select(_e1624, _e1623, _e1686);
-                                                                            phi_2249_ = select(_e1632, _e1628, _e1686);
-                                                                            phi_2250_ = select(_e1628, _e1636, _e1686);
-                                                                            phi_2251_ = select(_e1636, _e1632, _e1686);
+                                                                            let _e1682 = (_e1663 == _e1680);
+                                                                            let _e1687 = vec3(_e1682);
+                                                                            phi_2245_ = select(_e1474, _e1500, _e1682);
+                                                                            phi_2246_ = select(_e1471, _e1497, _e1682);
+                                                                            phi_2247_ = select(_e1500, _e1487, _e1682);
+                                                                            phi_2248_ = select(_e1497, _e1484, _e1682);
+                                                                            phi_2249_ = select(_e1625, _e1624, _e1687);
+                                                                            phi_2250_ = select(_e1633, _e1629, _e1687);
+                                                                            phi_2251_ = select(_e1629, _e1637, _e1687);
+                                                                            phi_2252_ = select(_e1637, _e1633, _e1687);
                                                                         }
-                                                                        let _e1692 = phi_2244_;
-                                                                        let _e1694 = phi_2245_;
-                                                                        let _e1696 = phi_2246_;
-                                                                        let _e1698 = phi_2247_;
-                                                                        let _e1700 = phi_2248_;
-                                                                        let _e1702 = phi_2249_;
-                                                                        let _e1704 = phi_2250_;
-                                                                        let _e1706 = phi_2251_;
-                                                                        let _e1713 = ((_e1704.y * _e1702.z) - (_e1702.y * _e1704.z));
-                                                                        let _e1718 = ((_e1704.z * _e1702.x) - (_e1702.z * _e1704.x));
-                                                                        let _e1721 = ((_e1704.x * _e1702.y) - (_e1702.x * _e1704.y));
-                                                                        if (_e1521 >= _e1525) {
-                                                                            phi_2282_ = select(true, false, (_e1521 >= _e1529));
+                                                                        let _e1693 = phi_2245_;
+                                                                        let _e1695 = phi_2246_;
+                                                                        let _e1697 = phi_2247_;
+                                                                        let _e1699 = phi_2248_;
+                                                                        let _e1701 = phi_2249_;
+                                                                        let _e1703 = phi_2250_;
+                                                                        let _e1705 = phi_2251_;
+                                                                        let _e1707 = phi_2252_;
+                                                                        let _e1714 = ((_e1705.y * _e1703.z) - (_e1703.y * _e1705.z));
+                                                                        let _e1719 = ((_e1705.z * _e1703.x) - (_e1703.z * _e1705.x));
+                                                                        let _e1722 = ((_e1705.x * _e1703.y) - (_e1703.x * _e1705.y));
+                                                                        if (_e1522 >= _e1526) {
+                                                                            phi_2283_ = select(true, false, (_e1522 >= _e1530));
                                                                         } else {
-                                                                            phi_2282_ = true;
+                                                                            phi_2283_ = true;
                                                                         }
-                                                                        let _e1726 = phi_2282_;
-                                                                        if _e1726 {
-                                                                            phi_2291_ = select(_e1624, _e1623, vec3((_e1525 >= _e1529)));
+                                                                        let _e1727 = phi_2283_;
+                                                                        if _e1727 {
+                                                                            phi_2292_ = select(_e1625, _e1624, vec3((_e1526 >= _e1530)));
                                                                         } else {
-                                                                            phi_2291_ = _e1622;
+                                                                            phi_2292_ = _e1623;
                                                                         }
-                                                                        let _e1731 = phi_2291_;
-                                                                        let _e1736 = (((_e1713 * _e334) + (_e1718 * _e372)) + (_e1721 * _e410));
-                                                                        let _e1747 = (((_e1713 * (_e1731.x - _e309)) + (_e1718 * (_e1731.y - _e348))) + (_e1721 * (_e1731.z - _e386)));
-                                                                        let _e1749 = (_e1694 - _e1698);
-                                                                        let _e1750 = (_e1692 - _e1696);
-                                                                        let _e1758 = (-(((_e1698 * _e1749) + (_e1696 * _e1750))) / ((_e1749 * _e1749) + (_e1750 * _e1750)));
+                                                                        let _e1732 = phi_2292_;
+                                                                        let _e1743 = (((_e1714 * (_e1732.x - _e310)) + (_e1719 * (_e1732.y - _e349))) + (_e1722 * (_e1732.z - _e387)));
+                                                                        let _e1748 = (((_e1714 * _e335) + (_e1719 * _e373)) + (_e1722 * _e411));
+                                                                        let _e1749 = (_e1695 - _e1699);
+                                                                        let _e1750 = (_e1693 - _e1697);
+                                                                        let _e1758 = (-(((_e1699 * _e1749) + (_e1697 * _e1750))) / ((_e1749 * _e1749) + (_e1750 * _e1750)));
                                                                         let _e1760 = select(1f, _e1758, (_e1758 < 1f));
                                                                         let _e1762 = select(0f, _e1760, (_e1760 > 0f));
-                                                                        let _e1775 = ((_e1700.x + (_e1706.x * _e1762)) - _e309);
-                                                                        let _e1776 = ((_e1700.y + (_e1706.y * _e1762)) - _e348);
-                                                                        let _e1777 = ((_e1700.z + (_e1706.z * _e1762)) - _e386);
-                                                                        let _e1778 = (_e1777 / _e410);
+                                                                        let _e1775 = ((_e1701.x + (_e1707.x * _e1762)) - _e310);
+                                                                        let _e1776 = ((_e1701.y + (_e1707.y * _e1762)) - _e349);
+                                                                        let _e1777 = ((_e1701.z + (_e1707.z * _e1762)) - _e387);
+                                                                        let _e1778 = (_e1777 / _e411);
                                                                         let _e1790 = bitcast<f32>((bitcast<u32>(_e1775) & 2147483647u));
                                                                         let _e1793 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
                                                                         let _e1795 = select(_e1793, _e1790, (_e1790 > _e1793));
                                                                         let _e1798 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
                                                                         let _e1800 = select(_e1798, _e1795, (_e1795 > _e1798));
-                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u));
-                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u));
+                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
+                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
                                                                         let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
-                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1713 * _e1775) + (_e1718 * _e1776)) + (_e1721 * _e1777)) - _e1747)) & 2147483647u)) <= ((0.0000009536743f * select(_e1679, _e1800, (_e1800 > _e1679))) * select(_e1814, _e1811, (_e1811 > _e1814)))) {
-                                                                            let _e1824 = bitcast<f32>((bitcast<u32>(_e1704.x) & 2147483647u));
-                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1704.y) & 2147483647u));
+                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1714 * _e1775) + (_e1719 * _e1776)) + (_e1722 * _e1777)) - _e1743)) & 2147483647u)) <= ((0.0000009536743f * select(_e1680, _e1800, (_e1800 > _e1680))) * select(_e1814, _e1811, (_e1811 > _e1814)))) {
+                                                                            let _e1824 = bitcast<f32>((bitcast<u32>(_e1705.x) & 2147483647u));
+                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1705.y) & 2147483647u));
                                                                             let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
-                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1704.z) & 2147483647u));
-                                                                            let _e1838 = bitcast<f32>((bitcast<u32>(_e1702.x) & 2147483647u));
-                                                                            let _e1841 = bitcast<f32>((bitcast<u32>(_e1702.y) & 2147483647u));
+                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1705.z) & 2147483647u));
+                                                                            let _e1838 = bitcast<f32>((bitcast<u32>(_e1703.x) & 2147483647u));
+                                                                            let _e1841 = bitcast<f32>((bitcast<u32>(_e1703.y) & 2147483647u));
                                                                             let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
-                                                                            let _e1846 = bitcast<f32>((bitcast<u32>(_e1702.z) & 2147483647u));
-                                                                            phi_2458_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1736) & 2147483647u)) > ((0.0000038146973f * select(_e1832, _e1829, (_e1829 > _e1832))) * select(_e1846, _e1843, (_e1843 > _e1846)))));
-                                                                        } else {
-                                                                            phi_2458_ = true;
-                                                                        }
-                                                                        let _e1853 = phi_2458_;
-                                                                        if _e1853 {
-                                                                            let _e1864 = ((((_e1713 * (_e1775 - (_e334 * _e1778))) + (_e1718 * (_e1776 - (_e372 * _e1778)))) + (_e1721 * (_e1777 - _e1777))) / _e1736);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)) <= _e1679) {
-                                                                                phi_2482_ = (_e1778 + _e1864);
+                                                                            let _e1846 = bitcast<f32>((bitcast<u32>(_e1703.z) & 2147483647u));
+                                                                            let _e1850 = (bitcast<f32>((bitcast<u32>(_e1748) & 2147483647u)) > ((0.0000038146973f * select(_e1832, _e1829, (_e1829 > _e1832))) * select(_e1846, _e1843, (_e1843 > _e1846))));
+                                                                            if _e1850 {
+                                                                                phi_2457_ = (_e1743 / _e1748);
                                                                             } else {
-                                                                                phi_2482_ = _e1778;
+                                                                                phi_2457_ = f32();
                                                                             }
-                                                                            let _e1871 = phi_2482_;
-                                                                            phi_2483_ = _e1871;
+                                                                            let _e1853 = phi_2457_;
+                                                                            phi_2459_ = _e1853;
+                                                                            phi_2460_ = select(true, false, _e1850);
                                                                         } else {
-                                                                            phi_2483_ = (_e1747 / _e1736);
+                                                                            phi_2459_ = f32();
+                                                                            phi_2460_ = true;
                                                                         }
-                                                                        let _e1873 = phi_2483_;
-                                                                        let _e1875 = select(_e1612, _e1873, (_e1873 < _e1612));
-                                                                        let _e1877 = select(_e1604, _e1875, (_e1875 > _e1604));
-                                                                        if (_e1877 >= _e460) {
-                                                                            let _e1879 = (_e1877 <= _e1030.member_1);
-                                                                            if _e1879 {
-                                                                                let _e1880 = (1f / _e1531);
-                                                                                phi_2506_ = type_20(_e1877, (_e1525 * _e1880), (_e1529 * _e1880), _e1090);
+                                                                        let _e1856 = phi_2459_;
+                                                                        let _e1858 = phi_2460_;
+                                                                        if _e1858 {
+                                                                            let _e1866 = (((_e1714 * (_e1775 - (_e335 * _e1778))) + (_e1719 * (_e1776 - (_e373 * _e1778)))) / _e1748);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u)) <= _e1680) {
+                                                                                phi_2480_ = (_e1778 + _e1866);
                                                                             } else {
-                                                                                phi_2506_ = type_20();
+                                                                                phi_2480_ = _e1778;
                                                                             }
-                                                                            let _e1885 = phi_2506_;
-                                                                            phi_2508_ = _e1885;
-                                                                            phi_2509_ = select(true, false, _e1879);
+                                                                            let _e1873 = phi_2480_;
+                                                                            phi_2481_ = _e1873;
                                                                         } else {
-                                                                            phi_2508_ = type_20();
-                                                                            phi_2509_ = true;
+                                                                            phi_2481_ = _e1856;
                                                                         }
-                                                                        let _e1888 = phi_2508_;
-                                                                        let _e1890 = phi_2509_;
-                                                                        if _e1890 {
-                                                                            phi_2513_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1875 = phi_2481_;
+                                                                        let _e1877 = select(_e1613, _e1875, (_e1875 < _e1613));
+                                                                        let _e1879 = select(_e1605, _e1877, (_e1877 > _e1605));
+                                                                        if (_e1879 >= _e461) {
+                                                                            let _e1881 = (_e1879 <= _e1031.member_1);
+                                                                            if _e1881 {
+                                                                                let _e1882 = (1f / _e1532);
+                                                                                phi_2504_ = type_20(_e1879, (_e1526 * _e1882), (_e1530 * _e1882), _e1091);
+                                                                            } else {
+                                                                                phi_2504_ = type_20();
+                                                                            }
+                                                                            let _e1887 = phi_2504_;
+                                                                            phi_2506_ = _e1887;
+                                                                            phi_2507_ = select(true, false, _e1881);
                                                                         } else {
-                                                                            phi_2513_ = _e1888;
+                                                                            phi_2506_ = type_20();
+                                                                            phi_2507_ = true;
                                                                         }
-                                                                        let _e1892 = phi_2513_;
-                                                                        phi_2514_ = _e1892;
+                                                                        let _e1890 = phi_2506_;
+                                                                        let _e1892 = phi_2507_;
+                                                                        if _e1892 {
+                                                                            phi_2511_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2511_ = _e1890;
+                                                                        }
+                                                                        let _e1894 = phi_2511_;
+                                                                        phi_2512_ = _e1894;
                                                                     }
-                                                                    let _e1894 = phi_2514_;
-                                                                    phi_2515_ = _e1894;
-                                                                    phi_2516_ = _e1621;
+                                                                    let _e1896 = phi_2512_;
+                                                                    phi_2513_ = _e1896;
+                                                                    phi_2514_ = _e1622;
                                                                 }
-                                                                let _e1896 = phi_2515_;
-                                                                let _e1898 = phi_2516_;
-                                                                phi_2520_ = _e1896;
-                                                                phi_2521_ = _e1898;
+                                                                let _e1898 = phi_2513_;
+                                                                let _e1900 = phi_2514_;
+                                                                phi_2518_ = _e1898;
+                                                                phi_2519_ = _e1900;
                                                             }
-                                                            let _e1900 = phi_2520_;
-                                                            let _e1902 = phi_2521_;
-                                                            phi_2522_ = _e1900;
-                                                            phi_2523_ = _e1556;
-                                                            phi_2524_ = _e1902;
+                                                            let _e1902 = phi_2518_;
+                                                            let _e1904 = phi_2519_;
+                                                            phi_2520_ = _e1902;
+                                                            phi_2521_ = _e1557;
+                                                            phi_2522_ = _e1904;
                                                         }
-                                                        let _e1904 = phi_2522_;
-                                                        let _e1906 = phi_2523_;
-                                                        let _e1908 = phi_2524_;
-                                                        phi_2525_ = _e1904;
-                                                        phi_2526_ = _e1906;
-                                                        phi_2527_ = _e1908;
+                                                        let _e1906 = phi_2520_;
+                                                        let _e1908 = phi_2521_;
+                                                        let _e1910 = phi_2522_;
+                                                        phi_2523_ = _e1906;
+                                                        phi_2524_ = _e1908;
+                                                        phi_2525_ = _e1910;
                                                     }
-                                                    let _e1910 = phi_2525_;
-                                                    let _e1912 = phi_2526_;
-                                                    let _e1914 = phi_2527_;
-                                                    phi_2535_ = _e1910;
-                                                    phi_2536_ = select(_e1914, true, _e1912);
+                                                    let _e1912 = phi_2523_;
+                                                    let _e1914 = phi_2524_;
+                                                    let _e1916 = phi_2525_;
+                                                    phi_2533_ = _e1912;
+                                                    phi_2534_ = select(_e1916, true, _e1914);
                                                 } else {
-                                                    phi_2535_ = type_20();
-                                                    phi_2536_ = true;
+                                                    phi_2533_ = type_20();
+                                                    phi_2534_ = true;
                                                 }
-                                                let _e1917 = phi_2535_;
-                                                let _e1919 = phi_2536_;
-                                                if _e1919 {
-                                                    phi_2540_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1919 = phi_2533_;
+                                                let _e1921 = phi_2534_;
+                                                if _e1921 {
+                                                    phi_2538_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2540_ = _e1917;
+                                                    phi_2538_ = _e1919;
                                                 }
-                                                let _e1921 = phi_2540_;
-                                                if (_e1921.member_3 != 4294967295u) {
-                                                    if (_e1090 != 4294967295u) {
-                                                        if (_e1921.member < _e1030.member.member) {
-                                                            phi_2566_ = true;
+                                                let _e1923 = phi_2538_;
+                                                if (_e1923.member_3 != 4294967295u) {
+                                                    if (_e1091 != 4294967295u) {
+                                                        if (_e1923.member < _e1031.member.member) {
+                                                            phi_2564_ = true;
                                                         } else {
-                                                            if (_e1921.member == _e1030.member.member) {
-                                                                phi_2565_ = (_e1921.member_3 < _e1030.member.member_3);
+                                                            if (_e1923.member == _e1031.member.member) {
+                                                                phi_2563_ = (_e1923.member_3 < _e1031.member.member_3);
                                                             } else {
-                                                                phi_2565_ = false;
+                                                                phi_2563_ = false;
                                                             }
-                                                            let _e1934 = phi_2565_;
-                                                            phi_2566_ = _e1934;
+                                                            let _e1936 = phi_2563_;
+                                                            phi_2564_ = _e1936;
                                                         }
-                                                        let _e1936 = phi_2566_;
-                                                        if _e1936 {
-                                                            phi_2572_ = type_32(_e1921, _e1921.member);
+                                                        let _e1938 = phi_2564_;
+                                                        if _e1938 {
+                                                            phi_2570_ = type_32(_e1923, _e1923.member);
                                                         } else {
-                                                            phi_2572_ = _e1030;
+                                                            phi_2570_ = _e1031;
                                                         }
-                                                        let _e1939 = phi_2572_;
-                                                        phi_2573_ = _e1939;
+                                                        let _e1941 = phi_2570_;
+                                                        phi_2571_ = _e1941;
                                                     } else {
-                                                        phi_2573_ = _e1030;
+                                                        phi_2571_ = _e1031;
                                                     }
-                                                    let _e1941 = phi_2573_;
-                                                    phi_2574_ = _e1941;
+                                                    let _e1943 = phi_2571_;
+                                                    phi_2572_ = _e1943;
                                                 } else {
-                                                    phi_2574_ = _e1030;
+                                                    phi_2572_ = _e1031;
                                                 }
-                                                let _e1943 = phi_2574_;
-                                                phi_979_ = _e1943;
+                                                let _e1945 = phi_2572_;
+                                                phi_980_ = _e1945;
                                             } else {
-                                                phi_979_ = type_32();
+                                                phi_980_ = type_32();
                                             }
-                                            let _e1945 = phi_979_;
+                                            let _e1947 = phi_980_;
                                             continue;
                                             continuing {
-                                                phi_978_ = _e1945;
-                                                phi_981_ = _e1045;
-                                                phi_4078_ = _e502;
-                                                break if !(_e1051);
+                                                phi_979_ = _e1947;
+                                                phi_982_ = _e1046;
+                                                phi_4076_ = _e503;
+                                                break if !(_e1052);
                                             }
                                         }
-                                        let _e1948 = phi_4078_;
-                                        phi_4267_ = _e1948;
-                                        if _e1948 {
+                                        let _e1950 = phi_4076_;
+                                        phi_4265_ = _e1950;
+                                        if _e1950 {
                                             break;
                                         }
-                                        phi_4271_ = _e1948;
-                                        let _e2174 = local_11;
-                                        phi_3814_ = _e2174;
-                                        phi_3815_ = _e543;
-                                        phi_3816_ = false;
-                                        phi_3817_ = _e547;
+                                        phi_4269_ = _e1950;
+                                        let _e2178 = local_11;
+                                        phi_3812_ = _e2178;
+                                        phi_3813_ = _e544;
+                                        phi_3814_ = false;
+                                        phi_3815_ = _e548;
                                     } else {
-                                        if (_e543.member_1 >= _e89) {
-                                            phi_3370_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e544.member_1 >= _e90) {
+                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e543.member_1 < _e89) {
+                                            if (_e544.member_1 < _e90) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e559 = (_e260 * 2u);
-                                            let _e561 = ((1u + _e559) % 7u);
-                                            if (_e561 < 7u) {
+                                            let _e560 = (_e261 * 2u);
+                                            let _e562 = ((1u + _e560) % 7u);
+                                            if (_e562 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_4.member[_e543.member_1][_e561];
-                                            let _e568 = ((_e559 + 2u) % 7u);
-                                            if (_e568 < 7u) {
+                                            let _e567 = global_4.member[_e544.member_1][_e562];
+                                            let _e569 = ((_e560 + 2u) % 7u);
+                                            if (_e569 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e573 = global_4.member[_e543.member_1][_e568];
-                                            let _e574 = (_e259 * 2u);
-                                            let _e576 = ((1u + _e574) % 7u);
-                                            if (_e576 < 7u) {
+                                            let _e574 = global_4.member[_e544.member_1][_e569];
+                                            let _e575 = (_e260 * 2u);
+                                            let _e577 = ((1u + _e575) % 7u);
+                                            if (_e577 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e581 = global_4.member[_e543.member_1][_e576];
-                                            let _e583 = ((_e574 + 2u) % 7u);
-                                            if (_e583 < 7u) {
+                                            let _e582 = global_4.member[_e544.member_1][_e577];
+                                            let _e584 = ((_e575 + 2u) % 7u);
+                                            if (_e584 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e588 = global_4.member[_e543.member_1][_e583];
-                                            let _e589 = (_e261 * 2u);
-                                            let _e591 = ((1u + _e589) % 7u);
-                                            if (_e591 < 7u) {
+                                            let _e589 = global_4.member[_e544.member_1][_e584];
+                                            let _e590 = (_e262 * 2u);
+                                            let _e592 = ((1u + _e590) % 7u);
+                                            if (_e592 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e596 = global_4.member[_e543.member_1][_e591];
-                                            let _e598 = ((_e589 + 2u) % 7u);
-                                            if (_e598 < 7u) {
+                                            let _e597 = global_4.member[_e544.member_1][_e592];
+                                            let _e599 = ((_e590 + 2u) % 7u);
+                                            if (_e599 < 7u) {
                                             } else {
-                                                phi_4267_ = true;
+                                                phi_4265_ = true;
                                                 break;
                                             }
-                                            let _e603 = global_4.member[_e543.member_1][_e598];
-                                            let _e626 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.x - _e543.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.y - _e543.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.z - _e543.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e630 = select(_e140, _e626, (_e626 > _e140));
-                                            let _e632 = select(_e140, _e627, (_e627 > _e140));
-                                            let _e634 = select(_e140, _e628, (_e628 > _e140));
-                                            let _e659 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e630));
-                                            let _e664 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e667 = bitcast<f32>((_e659 & bitcast<u32>(_e664)));
-                                            let _e668 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e632));
-                                            let _e673 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
-                                            let _e677 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e634));
-                                            let _e682 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
-                                            let _e689 = bitcast<f32>((_e659 & bitcast<u32>(~(_e664))));
-                                            let _e693 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
-                                            let _e697 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
-                                            let _e698 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e630));
-                                            let _e703 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e706 = bitcast<f32>((_e698 & bitcast<u32>(_e703)));
-                                            let _e707 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e632));
-                                            let _e712 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
-                                            let _e716 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e634));
-                                            let _e721 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
-                                            let _e728 = bitcast<f32>((_e698 & bitcast<u32>(~(_e703))));
-                                            let _e732 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
-                                            let _e736 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
-                                            let _e737 = (_e543.member.member.x + _e667);
-                                            let _e738 = (_e543.member.member.y + _e676);
-                                            let _e739 = (_e543.member.member.z + _e685);
-                                            let _e742 = (_e543.member.member_1.x - _e706);
-                                            let _e743 = (_e543.member.member_1.y - _e715);
-                                            let _e744 = (_e543.member.member_1.z - _e724);
-                                            let _e763 = (_e742 - _e737);
+                                            let _e604 = global_4.member[_e544.member_1][_e599];
+                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e631 = select(_e141, _e627, (_e627 > _e141));
+                                            let _e633 = select(_e141, _e628, (_e628 > _e141));
+                                            let _e635 = select(_e141, _e629, (_e629 > _e141));
+                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e631));
+                                            let _e665 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
+                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e633));
+                                            let _e674 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
+                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e635));
+                                            let _e683 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
+                                            let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
+                                            let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
+                                            let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
+                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e631));
+                                            let _e704 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
+                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e633));
+                                            let _e713 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
+                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e635));
+                                            let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
+                                            let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
+                                            let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
+                                            let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
+                                            let _e738 = (_e544.member.member.x + _e668);
+                                            let _e739 = (_e544.member.member.y + _e677);
+                                            let _e740 = (_e544.member.member.z + _e686);
+                                            let _e743 = (_e544.member.member_1.x - _e707);
+                                            let _e744 = (_e544.member.member_1.y - _e716);
+                                            let _e745 = (_e544.member.member_1.z - _e725);
                                             let _e764 = (_e743 - _e738);
                                             let _e765 = (_e744 - _e739);
-                                            let _e767 = select(_e764, _e763, (_e763 > _e764));
-                                            let _e769 = select(_e765, _e767, (_e767 > _e765));
-                                            if (_e769 < (1024f * _e140)) {
-                                                phi_3071_ = 0u;
+                                            let _e766 = (_e745 - _e740);
+                                            let _e768 = select(_e765, _e764, (_e764 > _e765));
+                                            let _e770 = select(_e766, _e768, (_e768 > _e766));
+                                            if (_e770 < (1024f * _e141)) {
+                                                phi_3069_ = 0u;
                                             } else {
-                                                phi_3071_ = select(2u, 1u, (_e769 < (2097152f * _e140)));
+                                                phi_3069_ = select(2u, 1u, (_e770 < (2097152f * _e141)));
                                             }
-                                            let _e776 = phi_3071_;
-                                            switch bitcast<i32>(_e776) {
+                                            let _e777 = phi_3069_;
+                                            switch bitcast<i32>(_e777) {
                                                 case 0: {
-                                                    phi_3077_ = 1u;
+                                                    phi_3075_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3077_ = 2u;
+                                                    phi_3075_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3077_ = 3u;
+                                                    phi_3075_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3077_ = u32();
+                                                    phi_3075_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e779 = phi_3077_;
-                                            let _e785 = global_4.member[_e543.member_1][0u];
-                                            let _e789 = global_4.member[_e543.member_1][2u];
-                                            let _e793 = global_4.member[_e543.member_1][4u];
-                                            let _e797 = global_4.member[_e543.member_1][6u];
-                                            let _e809 = (((_e789 >> bitcast<u32>(22i)) | ((_e793 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e797 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e810 = (_e785 & 268435455u);
-                                            let _e811 = (_e809 & 268435455u);
-                                            let _e814 = ((_e785 >> bitcast<u32>(28u)) & 7u);
-                                            let _e822 = ((_e785 >> bitcast<u32>(31i)) | (((_e809 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e823 = (_e814 != 0u);
-                                            if (_e814 == 0u) {
-                                                phi_3332_ = _e810;
+                                            let _e780 = phi_3075_;
+                                            let _e786 = global_4.member[_e544.member_1][0u];
+                                            let _e790 = global_4.member[_e544.member_1][2u];
+                                            let _e794 = global_4.member[_e544.member_1][4u];
+                                            let _e798 = global_4.member[_e544.member_1][6u];
+                                            let _e810 = (((_e790 >> bitcast<u32>(22i)) | ((_e794 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e811 = (_e786 & 268435455u);
+                                            let _e812 = (_e810 & 268435455u);
+                                            let _e815 = ((_e786 >> bitcast<u32>(28u)) & 7u);
+                                            let _e823 = ((_e786 >> bitcast<u32>(31i)) | (((_e810 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e824 = (_e815 != 0u);
+                                            if (_e815 == 0u) {
+                                                phi_3330_ = _e811;
                                             } else {
-                                                if (_e814 == 7u) {
-                                                    phi_3331_ = 2147483648u;
+                                                if (_e815 == 7u) {
+                                                    phi_3329_ = 2147483648u;
                                                 } else {
-                                                    phi_3331_ = ((2147483648u | (_e814 << bitcast<u32>(28u))) | (_e811 & 268435455u));
+                                                    phi_3329_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (_e812 & 268435455u));
                                                 }
-                                                let _e832 = phi_3331_;
-                                                phi_3332_ = _e832;
+                                                let _e833 = phi_3329_;
+                                                phi_3330_ = _e833;
                                             }
-                                            let _e834 = phi_3332_;
-                                            if _e823 {
-                                                let _e835 = (_e814 != 7u);
-                                                if _e835 {
-                                                    phi_3342_ = (_e811 + (_e814 * ((3u * _e779) + 1u)));
+                                            let _e835 = phi_3330_;
+                                            if _e824 {
+                                                let _e836 = (_e815 != 7u);
+                                                if _e836 {
+                                                    phi_3340_ = (_e812 + (_e815 * ((3u * _e780) + 1u)));
                                                 } else {
-                                                    phi_3342_ = u32();
+                                                    phi_3340_ = u32();
                                                 }
-                                                let _e839 = phi_3342_;
-                                                phi_3344_ = _e839;
-                                                phi_3345_ = select(true, false, _e835);
+                                                let _e840 = phi_3340_;
+                                                phi_3342_ = _e840;
+                                                phi_3343_ = select(true, false, _e836);
                                             } else {
-                                                phi_3344_ = u32();
-                                                phi_3345_ = true;
+                                                phi_3342_ = u32();
+                                                phi_3343_ = true;
                                             }
-                                            let _e842 = phi_3344_;
-                                            let _e844 = phi_3345_;
-                                            if (_e822 == 0u) {
-                                                phi_3366_ = (_e810 + select(0u, 1u, !(_e823)));
+                                            let _e843 = phi_3342_;
+                                            let _e845 = phi_3343_;
+                                            if (_e823 == 0u) {
+                                                phi_3364_ = (_e811 + select(0u, 1u, !(_e824)));
                                             } else {
-                                                if (_e822 == 7u) {
-                                                    phi_3365_ = 2147483648u;
+                                                if (_e823 == 7u) {
+                                                    phi_3363_ = 2147483648u;
                                                 } else {
-                                                    phi_3365_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (select(_e842, _e811, _e844) & 268435455u));
+                                                    phi_3363_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (select(_e843, _e812, _e845) & 268435455u));
                                                 }
-                                                let _e857 = phi_3365_;
-                                                phi_3366_ = _e857;
+                                                let _e858 = phi_3363_;
+                                                phi_3364_ = _e858;
                                             }
-                                            let _e859 = phi_3366_;
-                                            phi_3370_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e737, (_e543.member.member.x + _e689), _e742, (_e543.member.member_1.x - _e728)), vec4<f32>(_e738, (_e543.member.member.y + _e693), _e743, (_e543.member.member_1.y - _e732)), vec4<f32>(_e739, (_e543.member.member.z + _e697), _e744, (_e543.member.member_1.z - _e736))), type_49(type_28((_e543.member.member + vec4<f32>(_e667, _e676, _e685, 0f)), (_e543.member.member_1 - vec4<f32>(_e706, _e715, _e724, 0f))), _e834), type_49(type_28((_e543.member.member + vec4<f32>(_e689, _e693, _e697, 0f)), (_e543.member.member_1 - vec4<f32>(_e728, _e732, _e736, 0f))), _e859));
+                                            let _e860 = phi_3364_;
+                                            phi_3368_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e738, (_e544.member.member.x + _e690), _e743, (_e544.member.member_1.x - _e729)), vec4<f32>(_e739, (_e544.member.member.y + _e694), _e744, (_e544.member.member_1.y - _e733)), vec4<f32>(_e740, (_e544.member.member.z + _e698), _e745, (_e544.member.member_1.z - _e737))), type_49(type_28((_e544.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e544.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e835), type_49(type_28((_e544.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e544.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e860));
                                         }
-                                        let _e864 = phi_3370_;
-                                        let _e876 = ((_e864.member[0].x - _e332) * _e337);
-                                        let _e877 = ((_e864.member[0].y - _e332) * _e337);
-                                        let _e878 = ((_e864.member[0].z - _e333) * _e337);
-                                        let _e879 = ((_e864.member[0].w - _e333) * _e337);
-                                        let _e889 = ((_e864.member[1].x - _e370) * _e375);
-                                        let _e890 = ((_e864.member[1].y - _e370) * _e375);
-                                        let _e891 = ((_e864.member[1].z - _e371) * _e375);
-                                        let _e892 = ((_e864.member[1].w - _e371) * _e375);
-                                        let _e902 = ((_e864.member[2].x - _e408) * _e413);
-                                        let _e903 = ((_e864.member[2].y - _e408) * _e413);
-                                        let _e904 = ((_e864.member[2].z - _e409) * _e413);
-                                        let _e905 = ((_e864.member[2].w - _e409) * _e413);
-                                        let _e907 = select(_e904, _e902, (_e902 < _e904));
-                                        let _e909 = select(_e905, _e903, (_e903 < _e905));
-                                        let _e911 = select(_e904, _e902, (_e902 > _e904));
-                                        let _e913 = select(_e905, _e903, (_e903 > _e905));
-                                        let _e915 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e917 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e919 = select(_e891, _e889, (_e889 < _e891));
-                                        let _e921 = select(_e892, _e890, (_e890 < _e892));
-                                        let _e923 = select(_e919, _e915, (_e915 > _e919));
-                                        let _e925 = select(_e921, _e917, (_e917 > _e921));
-                                        let _e927 = select(_e907, _e923, (_e923 > _e907));
-                                        let _e929 = select(_e909, _e925, (_e925 > _e909));
-                                        let _e931 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e933 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e935 = select(_e891, _e889, (_e889 > _e891));
-                                        let _e937 = select(_e892, _e890, (_e890 > _e892));
-                                        let _e939 = select(_e935, _e931, (_e931 < _e935));
-                                        let _e941 = select(_e937, _e933, (_e933 < _e937));
-                                        let _e946 = -(_e907);
-                                        let _e947 = -(_e909);
-                                        let _e954 = (select(_e911, _e939, (_e939 < _e911)) + (select(_e946, _e911, (_e911 > _e946)) * 0.0000019073523f));
-                                        let _e955 = (select(_e913, _e941, (_e941 < _e913)) + (select(_e947, _e913, (_e913 > _e947)) * 0.0000019073523f));
-                                        let _e957 = select(_e460, _e927, (_e927 > _e460));
-                                        let _e959 = select(_e460, _e929, (_e929 > _e460));
-                                        let _e964 = (_e957 <= select(_e504.member_1, _e954, (_e954 < _e504.member_1)));
-                                        let _e965 = (_e959 <= select(_e504.member_1, _e955, (_e955 < _e504.member_1)));
-                                        let _e966 = (_e957 <= _e959);
-                                        if _e964 {
+                                        let _e865 = phi_3368_;
+                                        let _e877 = ((_e865.member[0].x - _e333) * _e338);
+                                        let _e878 = ((_e865.member[0].y - _e333) * _e338);
+                                        let _e879 = ((_e865.member[0].z - _e334) * _e338);
+                                        let _e880 = ((_e865.member[0].w - _e334) * _e338);
+                                        let _e890 = ((_e865.member[1].x - _e371) * _e376);
+                                        let _e891 = ((_e865.member[1].y - _e371) * _e376);
+                                        let _e892 = ((_e865.member[1].z - _e372) * _e376);
+                                        let _e893 = ((_e865.member[1].w - _e372) * _e376);
+                                        let _e903 = ((_e865.member[2].x - _e409) * _e414);
+                                        let _e904 = ((_e865.member[2].y - _e409) * _e414);
+                                        let _e905 = ((_e865.member[2].z - _e410) * _e414);
+                                        let _e906 = ((_e865.member[2].w - _e410) * _e414);
+                                        let _e908 = select(_e905, _e903, (_e903 < _e905));
+                                        let _e910 = select(_e906, _e904, (_e904 < _e906));
+                                        let _e912 = select(_e905, _e903, (_e903 > _e905));
+                                        let _e914 = select(_e906, _e904, (_e904 > _e906));
+                                        let _e916 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e918 = select(_e880, _e878, (_e878 < _e880));
+                                        let _e920 = select(_e892, _e890, (_e890 < _e892));
+                                        let _e922 = select(_e893, _e891, (_e891 < _e893));
+                                        let _e924 = select(_e920, _e916, (_e916 > _e920));
+                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
+                                        let _e928 = select(_e908, _e924, (_e924 > _e908));
+                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
+                                        let _e932 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e934 = select(_e880, _e878, (_e878 > _e880));
+                                        let _e936 = select(_e892, _e890, (_e890 > _e892));
+                                        let _e938 = select(_e893, _e891, (_e891 > _e893));
+                                        let _e940 = select(_e936, _e932, (_e932 < _e936));
+                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
+                                        let _e947 = -(_e908);
+                                        let _e948 = -(_e910);
+                                        let _e955 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e947, _e912, (_e912 > _e947)) * 0.0000019073523f));
+                                        let _e956 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e948, _e914, (_e914 > _e948)) * 0.0000019073523f));
+                                        let _e958 = select(_e461, _e928, (_e928 > _e461));
+                                        let _e960 = select(_e461, _e930, (_e930 > _e461));
+                                        let _e965 = (_e958 <= select(_e505.member_1, _e955, (_e955 < _e505.member_1)));
+                                        let _e966 = (_e960 <= select(_e505.member_1, _e956, (_e956 < _e505.member_1)));
+                                        let _e967 = (_e958 <= _e960);
+                                        if _e965 {
+                                            if _e966 {
+                                                if _e967 {
+                                                    phi_3712_ = _e865.member_2;
+                                                } else {
+                                                    phi_3712_ = _e865.member_1;
+                                                }
+                                                let _e971 = phi_3712_;
+                                                let _e993 = (_e548 % 128u);
+                                                let _e994 = (_e993 < 128u);
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e993] = _e971.member_1;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e993] = _e971.member.member.x;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e993] = _e971.member.member.y;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e993] = _e971.member.member.z;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e993] = _e971.member.member_1.x;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e993] = _e971.member.member_1.y;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e993] = _e971.member.member_1.z;
+                                                if _e994 {
+                                                } else {
+                                                    phi_4265_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e993] = select(_e960, _e958, (_e958 > _e960));
+                                                if _e967 {
+                                                    phi_3789_ = _e865.member_1;
+                                                } else {
+                                                    phi_3789_ = _e865.member_2;
+                                                }
+                                                let _e1007 = phi_3789_;
+                                                phi_3790_ = _e1007;
+                                                phi_3791_ = (_e548 + 1u);
+                                            } else {
+                                                phi_3790_ = type_49();
+                                                phi_3791_ = u32();
+                                            }
+                                            let _e1009 = phi_3790_;
+                                            let _e1011 = phi_3791_;
+                                            phi_3793_ = _e1009;
+                                            phi_3794_ = _e1011;
+                                            phi_3795_ = select(true, false, _e966);
+                                        } else {
+                                            phi_3793_ = type_49();
+                                            phi_3794_ = u32();
+                                            phi_3795_ = true;
+                                        }
+                                        let _e1014 = phi_3793_;
+                                        let _e1016 = phi_3794_;
+                                        let _e1018 = phi_3795_;
+                                        if _e1018 {
                                             if _e965 {
-                                                if _e966 {
-                                                    phi_3714_ = _e864.member_2;
-                                                } else {
-                                                    phi_3714_ = _e864.member_1;
-                                                }
-                                                let _e970 = phi_3714_;
-                                                let _e992 = (_e547 % 128u);
-                                                let _e993 = (_e992 < 128u);
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e992] = _e970.member_1;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e992] = _e970.member.member.x;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e992] = _e970.member.member.y;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e992] = _e970.member.member.z;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e992] = _e970.member.member_1.x;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e992] = _e970.member.member_1.y;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e992] = _e970.member.member_1.z;
-                                                if _e993 {
-                                                } else {
-                                                    phi_4267_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e992] = select(_e959, _e957, (_e957 > _e959));
-                                                if _e966 {
-                                                    phi_3791_ = _e864.member_1;
-                                                } else {
-                                                    phi_3791_ = _e864.member_2;
-                                                }
-                                                let _e1006 = phi_3791_;
-                                                phi_3792_ = _e1006;
-                                                phi_3793_ = (_e547 + 1u);
+                                                phi_3804_ = _e865.member_1;
                                             } else {
-                                                phi_3792_ = type_49();
-                                                phi_3793_ = u32();
+                                                phi_3804_ = _e865.member_2;
                                             }
-                                            let _e1008 = phi_3792_;
-                                            let _e1010 = phi_3793_;
-                                            phi_3795_ = _e1008;
-                                            phi_3796_ = _e1010;
-                                            phi_3797_ = select(true, false, _e965);
+                                            let _e1022 = phi_3804_;
+                                            phi_3809_ = _e1022;
+                                            phi_3810_ = select(_e966, true, _e965);
                                         } else {
-                                            phi_3795_ = type_49();
-                                            phi_3796_ = u32();
-                                            phi_3797_ = true;
+                                            phi_3809_ = _e1014;
+                                            phi_3810_ = _e546;
                                         }
-                                        let _e1013 = phi_3795_;
-                                        let _e1015 = phi_3796_;
-                                        let _e1017 = phi_3797_;
-                                        if _e1017 {
-                                            if _e964 {
-                                                phi_3806_ = _e864.member_1;
-                                            } else {
-                                                phi_3806_ = _e864.member_2;
-                                            }
-                                            let _e1021 = phi_3806_;
-                                            phi_3811_ = _e1021;
-                                            phi_3812_ = select(_e965, true, _e964);
-                                        } else {
-                                            phi_3811_ = _e1013;
-                                            phi_3812_ = _e545;
-                                        }
-                                        let _e1024 = phi_3811_;
-                                        let _e1026 = phi_3812_;
-                                        phi_4271_ = _e502;
-                                        phi_3814_ = _e504;
-                                        phi_3815_ = _e1024;
-                                        phi_3816_ = _e1026;
-                                        phi_3817_ = select(_e1015, _e547, _e1017);
+                                        let _e1025 = phi_3809_;
+                                        let _e1027 = phi_3810_;
+                                        phi_4269_ = _e503;
+                                        phi_3812_ = _e505;
+                                        phi_3813_ = _e1025;
+                                        phi_3814_ = _e1027;
+                                        phi_3815_ = select(_e1016, _e548, _e1018);
                                     }
-                                    let _e1950 = phi_4271_;
-                                    let _e1952 = phi_3814_;
-                                    let _e1954 = phi_3815_;
-                                    let _e1956 = phi_3816_;
-                                    let _e1958 = phi_3817_;
-                                    phi_4270_ = _e1950;
-                                    phi_3818_ = _e1952;
-                                    phi_3819_ = _e1954;
-                                    phi_3820_ = (_e508 - 1u);
-                                    phi_3821_ = _e1956;
-                                    phi_3822_ = _e1958;
+                                    let _e1952 = phi_4269_;
+                                    let _e1954 = phi_3812_;
+                                    let _e1956 = phi_3813_;
+                                    let _e1958 = phi_3814_;
+                                    let _e1960 = phi_3815_;
+                                    phi_4268_ = _e1952;
+                                    phi_3816_ = _e1954;
+                                    phi_3817_ = _e1956;
+                                    phi_3818_ = (_e509 - 1u);
+                                    phi_3819_ = _e1958;
+                                    phi_3820_ = _e1960;
                                 } else {
-                                    phi_4270_ = _e502;
-                                    phi_3818_ = _e504;
-                                    phi_3819_ = _e543;
-                                    phi_3820_ = _e508;
-                                    phi_3821_ = _e545;
-                                    phi_3822_ = _e547;
+                                    phi_4268_ = _e503;
+                                    phi_3816_ = _e505;
+                                    phi_3817_ = _e544;
+                                    phi_3818_ = _e509;
+                                    phi_3819_ = _e546;
+                                    phi_3820_ = _e548;
                                 }
-                                let _e1960 = phi_4270_;
-                                let _e1962 = phi_3818_;
-                                let _e1964 = phi_3819_;
-                                let _e1966 = phi_3820_;
-                                let _e1968 = phi_3821_;
-                                let _e1970 = phi_3822_;
-                                phi_4269_ = _e1960;
-                                phi_3823_ = _e1962;
-                                phi_3824_ = _e1964;
-                                phi_3825_ = _e1966;
-                                phi_3826_ = _e1968;
-                                phi_3827_ = _e1970;
+                                let _e1962 = phi_4268_;
+                                let _e1964 = phi_3816_;
+                                let _e1966 = phi_3817_;
+                                let _e1968 = phi_3818_;
+                                let _e1970 = phi_3819_;
+                                let _e1972 = phi_3820_;
+                                phi_4267_ = _e1962;
+                                phi_3821_ = _e1964;
+                                phi_3822_ = _e1966;
+                                phi_3823_ = _e1968;
+                                phi_3824_ = _e1970;
+                                phi_3825_ = _e1972;
                             } else {
-                                phi_4269_ = _e502;
-                                phi_3823_ = type_32();
-                                phi_3824_ = type_49();
+                                phi_4267_ = _e503;
+                                phi_3821_ = type_32();
+                                phi_3822_ = type_49();
+                                phi_3823_ = u32();
+                                phi_3824_ = bool();
                                 phi_3825_ = u32();
-                                phi_3826_ = bool();
-                                phi_3827_ = u32();
                             }
-                            let _e1972 = phi_4269_;
-                            let _e1974 = phi_3823_;
-                            let _e1976 = phi_3824_;
-                            let _e1978 = phi_3825_;
-                            let _e1980 = phi_3826_;
-                            let _e1982 = phi_3827_;
-                            phi_4268_ = _e1972;
-                            phi_852_ = _e1974;
-                            phi_855_ = _e1976;
-                            phi_857_ = _e1978;
-                            phi_859_ = _e1980;
-                            phi_861_ = _e1982;
-                            phi_3828_ = _e516;
+                            let _e1974 = phi_4267_;
+                            let _e1976 = phi_3821_;
+                            let _e1978 = phi_3822_;
+                            let _e1980 = phi_3823_;
+                            let _e1982 = phi_3824_;
+                            let _e1984 = phi_3825_;
+                            phi_4266_ = _e1974;
+                            phi_853_ = _e1976;
+                            phi_856_ = _e1978;
+                            phi_858_ = _e1980;
+                            phi_860_ = _e1982;
+                            phi_862_ = _e1984;
+                            phi_3826_ = _e517;
                         } else {
-                            phi_4268_ = _e502;
-                            phi_852_ = type_32();
-                            phi_855_ = type_49();
-                            phi_857_ = u32();
-                            phi_859_ = bool();
-                            phi_861_ = u32();
-                            phi_3828_ = false;
+                            phi_4266_ = _e503;
+                            phi_853_ = type_32();
+                            phi_856_ = type_49();
+                            phi_858_ = u32();
+                            phi_860_ = bool();
+                            phi_862_ = u32();
+                            phi_3826_ = false;
                         }
-                        let _e1984 = phi_4268_;
-                        let _e1986 = phi_852_;
-                        let _e1988 = phi_855_;
-                        let _e1990 = phi_857_;
-                        let _e1992 = phi_859_;
-                        let _e1994 = phi_861_;
-                        let _e1996 = phi_3828_;
+                        let _e1986 = phi_4266_;
+                        let _e1988 = phi_853_;
+                        let _e1990 = phi_856_;
+                        let _e1992 = phi_858_;
+                        let _e1994 = phi_860_;
+                        let _e1996 = phi_862_;
+                        let _e1998 = phi_3826_;
                         continue;
                         continuing {
-                            phi_4084_ = _e1984;
-                            phi_851_ = _e1986;
-                            phi_854_ = _e1988;
-                            phi_856_ = _e1990;
-                            phi_858_ = _e1992;
-                            phi_860_ = _e1994;
-                            phi_4267_ = _e1984;
-                            break if !(_e1996);
+                            phi_4082_ = _e1986;
+                            phi_852_ = _e1988;
+                            phi_855_ = _e1990;
+                            phi_857_ = _e1992;
+                            phi_859_ = _e1994;
+                            phi_861_ = _e1996;
+                            phi_4265_ = _e1986;
+                            break if !(_e1998);
                         }
                     }
-                    let _e1999 = phi_4267_;
-                    if _e1999 {
+                    let _e2001 = phi_4265_;
+                    if _e2001 {
                         break;
                     }
-                    let _e2001 = local_10;
-                    if (_e2001.member.member_3 != 4294967295u) {
-                        let _e2006 = -(_e427);
-                        let _e2007 = (_e2006 / 3i);
-                        let _e2014 = bitcast<f32>((bitcast<u32>((_e2007 + 127i)) << bitcast<u32>(23i)));
-                        let _e2022 = (((_e2001.member.member * _e2014) * _e2014) * bitcast<f32>((bitcast<u32>(((_e2006 - (2i * _e2007)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2024 = select(340282350000000000000000000000000000000f, _e2022, (_e2022 < 340282350000000000000000000000000000000f));
-                        phi_3880_ = type_20(select(-340282350000000000000000000000000000000f, _e2024, (_e2024 > -340282350000000000000000000000000000000f)), _e2001.member.member_1, _e2001.member.member_2, _e2001.member.member_3);
+                    let _e2003 = local_10;
+                    if (_e2003.member.member_3 != 4294967295u) {
+                        let _e2008 = -(_e428);
+                        let _e2009 = (_e2008 / 3i);
+                        let _e2016 = bitcast<f32>((bitcast<u32>((_e2009 + 127i)) << bitcast<u32>(23i)));
+                        let _e2024 = (((_e2003.member.member * _e2016) * _e2016) * bitcast<f32>((bitcast<u32>(((_e2008 - (2i * _e2009)) + 127i)) << bitcast<u32>(23i))));
+                        let _e2026 = select(340282350000000000000000000000000000000f, _e2024, (_e2024 < 340282350000000000000000000000000000000f));
+                        phi_3878_ = type_20(select(-340282350000000000000000000000000000000f, _e2026, (_e2026 > -340282350000000000000000000000000000000f)), _e2003.member.member_1, _e2003.member.member_2, _e2003.member.member_3);
                     } else {
-                        phi_3880_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3878_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2031 = phi_3880_;
-                    if _e148 {
+                    let _e2033 = phi_3878_;
+                    if _e149 {
                     } else {
                         break;
                     }
-                    global_6.member[_e146] = _e2031;
+                    global_6.member[_e147] = _e2033;
                 }
             }
             break;

@@ -93,436 +93,438 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_394_: i32;
     var phi_395_: i32;
-    var phi_405_: bool;
-    var phi_415_: u32;
+    var phi_396_: i32;
+    var phi_406_: bool;
     var phi_416_: u32;
-    var phi_418_: bool;
-    var phi_423_: u32;
-    var phi_435_: i32;
-    var phi_455_: i32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_605_: f32;
-    var phi_611_: f32;
-    var phi_622_: f32;
-    var phi_628_: f32;
-    var phi_651_: f32;
-    var phi_662_: f32;
-    var phi_762_: f32;
+    var phi_417_: u32;
+    var phi_419_: bool;
+    var phi_424_: u32;
+    var phi_436_: i32;
+    var phi_456_: i32;
+    var phi_474_: f32;
+    var phi_480_: f32;
+    var phi_491_: f32;
+    var phi_497_: f32;
+    var phi_520_: f32;
+    var phi_531_: f32;
+    var phi_540_: f32;
+    var phi_546_: f32;
+    var phi_557_: f32;
+    var phi_563_: f32;
+    var phi_586_: f32;
+    var phi_597_: f32;
+    var phi_606_: f32;
+    var phi_612_: f32;
+    var phi_623_: f32;
+    var phi_629_: f32;
+    var phi_652_: f32;
+    var phi_663_: f32;
     var phi_763_: f32;
-    var phi_4049_: bool;
-    var phi_853_: type_43;
-    var phi_856_: type_50;
-    var phi_858_: u32;
-    var phi_860_: bool;
-    var phi_862_: u32;
-    var phi_873_: bool;
-    var phi_959_: type_50;
-    var phi_960_: bool;
-    var phi_961_: u32;
-    var phi_3080_: u32;
-    var phi_3086_: u32;
-    var phi_3340_: u32;
-    var phi_3341_: u32;
-    var phi_3351_: u32;
-    var phi_3353_: u32;
-    var phi_3354_: bool;
-    var phi_3374_: u32;
-    var phi_3375_: u32;
-    var phi_3379_: type_51;
-    var phi_3723_: type_50;
-    var phi_3800_: type_50;
-    var phi_3801_: type_50;
-    var phi_3802_: u32;
-    var phi_3804_: type_50;
-    var phi_3805_: u32;
-    var phi_3806_: bool;
-    var phi_3815_: type_50;
-    var phi_3820_: type_50;
-    var phi_3821_: bool;
-    var phi_980_: type_43;
-    var phi_983_: type_8;
-    var phi_984_: type_8;
-    var phi_1006_: type_8;
-    var phi_1050_: u32;
-    var phi_1056_: u32;
-    var phi_1066_: u32;
-    var phi_1082_: u32;
-    var phi_1115_: u32;
-    var phi_1121_: u32;
-    var phi_1548_: u32;
-    var phi_1566_: u32;
-    var phi_1584_: u32;
-    var phi_1604_: u32;
-    var phi_1622_: u32;
-    var phi_1640_: u32;
-    var phi_1660_: u32;
-    var phi_1678_: u32;
-    var phi_1696_: u32;
-    var phi_1274_: u32;
-    var phi_1289_: u32;
-    var phi_1299_: u32;
-    var phi_1319_: u32;
-    var phi_1339_: u32;
-    var phi_1365_: u32;
-    var phi_1380_: u32;
-    var phi_1390_: u32;
-    var phi_1410_: u32;
-    var phi_1430_: u32;
-    var phi_1456_: u32;
-    var phi_1471_: u32;
-    var phi_1481_: u32;
-    var phi_1501_: u32;
-    var phi_1521_: u32;
-    var phi_1145_: u32;
-    var phi_1188_: u32;
-    var phi_1231_: u32;
-    var phi_1702_: array<array<f32, 3>, 3>;
-    var phi_1819_: bool;
-    var phi_1848_: bool;
-    var phi_2249_: f32;
-    var phi_2250_: f32;
-    var phi_2251_: f32;
-    var phi_2252_: f32;
-    var phi_2253_: vec3<f32>;
-    var phi_2254_: vec3<f32>;
-    var phi_2255_: vec3<f32>;
-    var phi_2256_: vec3<f32>;
-    var phi_2287_: bool;
-    var phi_2296_: vec3<f32>;
-    var phi_2463_: bool;
-    var phi_2487_: f32;
-    var phi_2488_: f32;
-    var phi_2511_: type_28;
-    var phi_2513_: type_28;
-    var phi_2514_: bool;
-    var phi_2518_: type_28;
-    var phi_2519_: type_28;
-    var phi_2520_: type_28;
-    var phi_2521_: bool;
-    var phi_2525_: type_28;
-    var phi_2526_: bool;
-    var phi_2527_: type_28;
-    var phi_2528_: bool;
-    var phi_2529_: bool;
-    var phi_2530_: type_28;
-    var phi_2531_: bool;
-    var phi_2532_: bool;
-    var phi_2540_: type_28;
-    var phi_2541_: bool;
-    var phi_2545_: type_28;
-    var phi_2570_: bool;
-    var phi_2571_: bool;
-    var phi_2578_: type_43;
-    var phi_2579_: type_43;
-    var phi_2580_: type_43;
-    var phi_981_: type_43;
-    var phi_4043_: bool;
-    var phi_4236_: bool;
-    var phi_3823_: type_43;
-    var phi_3824_: type_50;
-    var phi_3825_: bool;
-    var phi_3826_: u32;
-    var phi_4235_: bool;
-    var phi_3827_: type_43;
-    var phi_3828_: type_50;
-    var phi_3829_: u32;
-    var phi_3830_: bool;
-    var phi_3831_: u32;
-    var phi_4234_: bool;
-    var phi_3832_: type_43;
-    var phi_3833_: type_50;
-    var phi_3834_: u32;
-    var phi_3835_: bool;
-    var phi_3836_: u32;
-    var phi_4233_: bool;
+    var phi_764_: f32;
+    var phi_4047_: bool;
     var phi_854_: type_43;
     var phi_857_: type_50;
     var phi_859_: u32;
     var phi_861_: bool;
     var phi_863_: u32;
-    var phi_3837_: bool;
+    var phi_874_: bool;
+    var phi_960_: type_50;
+    var phi_961_: bool;
+    var phi_962_: u32;
+    var phi_3078_: u32;
+    var phi_3084_: u32;
+    var phi_3338_: u32;
+    var phi_3339_: u32;
+    var phi_3349_: u32;
+    var phi_3351_: u32;
+    var phi_3352_: bool;
+    var phi_3372_: u32;
+    var phi_3373_: u32;
+    var phi_3377_: type_51;
+    var phi_3721_: type_50;
+    var phi_3798_: type_50;
+    var phi_3799_: type_50;
+    var phi_3800_: u32;
+    var phi_3802_: type_50;
+    var phi_3803_: u32;
+    var phi_3804_: bool;
+    var phi_3813_: type_50;
+    var phi_3818_: type_50;
+    var phi_3819_: bool;
+    var phi_981_: type_43;
+    var phi_984_: type_8;
+    var phi_985_: type_8;
+    var phi_1007_: type_8;
+    var phi_1051_: u32;
+    var phi_1057_: u32;
+    var phi_1067_: u32;
+    var phi_1083_: u32;
+    var phi_1116_: u32;
+    var phi_1122_: u32;
+    var phi_1549_: u32;
+    var phi_1567_: u32;
+    var phi_1585_: u32;
+    var phi_1605_: u32;
+    var phi_1623_: u32;
+    var phi_1641_: u32;
+    var phi_1661_: u32;
+    var phi_1679_: u32;
+    var phi_1697_: u32;
+    var phi_1275_: u32;
+    var phi_1290_: u32;
+    var phi_1300_: u32;
+    var phi_1320_: u32;
+    var phi_1340_: u32;
+    var phi_1366_: u32;
+    var phi_1381_: u32;
+    var phi_1391_: u32;
+    var phi_1411_: u32;
+    var phi_1431_: u32;
+    var phi_1457_: u32;
+    var phi_1472_: u32;
+    var phi_1482_: u32;
+    var phi_1502_: u32;
+    var phi_1522_: u32;
+    var phi_1146_: u32;
+    var phi_1189_: u32;
+    var phi_1232_: u32;
+    var phi_1703_: array<array<f32, 3>, 3>;
+    var phi_1820_: bool;
+    var phi_1849_: bool;
+    var phi_2250_: f32;
+    var phi_2251_: f32;
+    var phi_2252_: f32;
+    var phi_2253_: f32;
+    var phi_2254_: vec3<f32>;
+    var phi_2255_: vec3<f32>;
+    var phi_2256_: vec3<f32>;
+    var phi_2257_: vec3<f32>;
+    var phi_2288_: bool;
+    var phi_2297_: vec3<f32>;
+    var phi_2462_: f32;
+    var phi_2464_: f32;
+    var phi_2465_: bool;
+    var phi_2485_: f32;
+    var phi_2486_: f32;
+    var phi_2509_: type_28;
+    var phi_2511_: type_28;
+    var phi_2512_: bool;
+    var phi_2516_: type_28;
+    var phi_2517_: type_28;
+    var phi_2518_: type_28;
+    var phi_2519_: bool;
+    var phi_2523_: type_28;
+    var phi_2524_: bool;
+    var phi_2525_: type_28;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2528_: type_28;
+    var phi_2529_: bool;
+    var phi_2530_: bool;
+    var phi_2538_: type_28;
+    var phi_2539_: bool;
+    var phi_2543_: type_28;
+    var phi_2568_: bool;
+    var phi_2569_: bool;
+    var phi_2576_: type_43;
+    var phi_2577_: type_43;
+    var phi_2578_: type_43;
+    var phi_982_: type_43;
+    var phi_4041_: bool;
+    var phi_4234_: bool;
+    var phi_3821_: type_43;
+    var phi_3822_: type_50;
+    var phi_3823_: bool;
+    var phi_3824_: u32;
+    var phi_4233_: bool;
+    var phi_3825_: type_43;
+    var phi_3826_: type_50;
+    var phi_3827_: u32;
+    var phi_3828_: bool;
+    var phi_3829_: u32;
     var phi_4232_: bool;
+    var phi_3830_: type_43;
+    var phi_3831_: type_50;
+    var phi_3832_: u32;
+    var phi_3833_: bool;
+    var phi_3834_: u32;
+    var phi_4231_: bool;
+    var phi_855_: type_43;
+    var phi_858_: type_50;
+    var phi_860_: u32;
+    var phi_862_: bool;
+    var phi_864_: u32;
+    var phi_3835_: bool;
+    var phi_4230_: bool;
     var local_10: type_43;
     var local_11: type_43;
     var local_12: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e90 = global;
-            let _e92 = arrayLength((&global_3.member));
-            let _e95 = arrayLength((&global_5.member));
-            let _e103 = global_2.member[0u][0u];
-            let _e107 = global_2.member[0u][1u];
-            let _e111 = global_2.member[0u][2u];
-            let _e115 = global_2.member[0u][3u];
-            let _e119 = global_2.member[1u][0u];
-            let _e123 = global_2.member[1u][1u];
-            let _e127 = global_2.member[1u][2u];
-            let _e130 = global_1.member[0u];
-            let _e131 = bitcast<i32>(_e130);
-            let _e143 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e115) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e103), bitcast<i32>(_e107), bitcast<i32>(_e111));
-            local = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            let _e149 = (_e90.x + (_e90.y * 2097152u));
-            let _e150 = (_e149 < arrayLength((&global_4.member)));
-            if _e150 {
-                let _e151 = (_e149 < arrayLength((&global_6.member)));
-                if _e151 {
-                    if _e150 {
+            let _e91 = global;
+            let _e93 = arrayLength((&global_3.member));
+            let _e96 = arrayLength((&global_5.member));
+            let _e104 = global_2.member[0u][0u];
+            let _e108 = global_2.member[0u][1u];
+            let _e112 = global_2.member[0u][2u];
+            let _e116 = global_2.member[0u][3u];
+            let _e120 = global_2.member[1u][0u];
+            let _e124 = global_2.member[1u][1u];
+            let _e128 = global_2.member[1u][2u];
+            let _e131 = global_1.member[0u];
+            let _e132 = bitcast<i32>(_e131);
+            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
+            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
+            let _e150 = (_e91.x + (_e91.y * 2097152u));
+            let _e151 = (_e150 < arrayLength((&global_4.member)));
+            if _e151 {
+                let _e152 = (_e150 < arrayLength((&global_6.member)));
+                if _e152 {
+                    if _e151 {
                     } else {
                         break;
                     }
-                    let _e159 = global_4.member[_e149].member_2[0u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e149].member_2[1u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e149].member_2[2u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_4.member[_e149].member[0u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e187 = global_4.member[_e149].member[1u];
-                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
-                    let _e194 = global_4.member[_e149].member[2u];
-                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                    let _e198 = select(_e168, _e161, (_e168 < _e161));
-                    let _e200 = select(_e175, _e198, (_e175 < _e198));
-                    let _e202 = select(_e182, _e200, (_e182 < _e200));
-                    let _e204 = select(_e189, _e202, (_e189 < _e202));
-                    let _e206 = select(_e196, _e204, (_e196 < _e204));
-                    let _e210 = global_4.member[_e149].member_1;
-                    let _e212 = (bitcast<u32>(_e210) & 2147483647u);
-                    let _e219 = global_4.member[_e149].member_3;
-                    let _e225 = (((select(_e212, _e206, (_e212 < _e206)) < 2139095040u) && ((bitcast<u32>(_e219) & 2147483647u) <= 2139095040u)) && (_e200 > 0u));
-                    if _e225 {
-                        let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
-                        if (_e228 >= 8388608u) {
-                            phi_394_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                    let _e160 = global_4.member[_e150].member_2[0u];
+                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
+                    let _e167 = global_4.member[_e150].member_2[1u];
+                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
+                    let _e174 = global_4.member[_e150].member_2[2u];
+                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                    let _e181 = global_4.member[_e150].member[0u];
+                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
+                    let _e188 = global_4.member[_e150].member[1u];
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e195 = global_4.member[_e150].member[2u];
+                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                    let _e199 = select(_e169, _e162, (_e169 < _e162));
+                    let _e201 = select(_e176, _e199, (_e176 < _e199));
+                    let _e203 = select(_e183, _e201, (_e183 < _e201));
+                    let _e205 = select(_e190, _e203, (_e190 < _e203));
+                    let _e207 = select(_e197, _e205, (_e197 < _e205));
+                    let _e211 = global_4.member[_e150].member_1;
+                    let _e213 = (bitcast<u32>(_e211) & 2147483647u);
+                    let _e220 = global_4.member[_e150].member_3;
+                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && ((bitcast<u32>(_e220) & 2147483647u) <= 2139095040u)) && (_e201 > 0u));
+                    if _e226 {
+                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                        if (_e229 >= 8388608u) {
+                            phi_395_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_395_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e242 = phi_394_;
-                        phi_395_ = _e242;
+                        let _e243 = phi_395_;
+                        phi_396_ = _e243;
                     } else {
-                        phi_395_ = 0i;
+                        phi_396_ = 0i;
                     }
-                    let _e244 = phi_395_;
-                    let _e245 = (_e161 == _e200);
-                    if _e245 {
-                        phi_405_ = true;
+                    let _e245 = phi_396_;
+                    let _e246 = (_e162 == _e201);
+                    if _e246 {
+                        phi_406_ = true;
                     } else {
-                        phi_405_ = (_e168 == _e200);
+                        phi_406_ = (_e169 == _e201);
                     }
-                    let _e248 = phi_405_;
-                    let _e249 = select(1u, 0u, _e245);
-                    if _e248 {
-                        let _e250 = (_e249 + 1u);
-                        phi_415_ = _e250;
-                        phi_416_ = _e250;
-                        phi_418_ = select(true, false, (_e250 == 2u));
+                    let _e249 = phi_406_;
+                    let _e250 = select(1u, 0u, _e246);
+                    if _e249 {
+                        let _e251 = (_e250 + 1u);
+                        phi_416_ = _e251;
+                        phi_417_ = _e251;
+                        phi_419_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_415_ = u32();
-                        phi_416_ = 0u;
-                        phi_418_ = true;
+                        phi_416_ = u32();
+                        phi_417_ = 0u;
+                        phi_419_ = true;
                     }
-                    let _e254 = phi_415_;
-                    let _e256 = phi_416_;
-                    let _e258 = phi_418_;
-                    if _e258 {
-                        phi_423_ = (_e256 + 1u);
+                    let _e255 = phi_416_;
+                    let _e257 = phi_417_;
+                    let _e259 = phi_419_;
+                    if _e259 {
+                        phi_424_ = (_e257 + 1u);
                     } else {
-                        phi_423_ = 0u;
+                        phi_424_ = 0u;
                     }
-                    let _e262 = phi_423_;
-                    let _e263 = select(_e254, _e256, _e258);
-                    let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
-                    if (_e131 < -126i) {
-                        phi_435_ = -126i;
+                    let _e263 = phi_424_;
+                    let _e264 = select(_e255, _e257, _e259);
+                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
+                    if (_e132 < -126i) {
+                        phi_436_ = -126i;
                     } else {
-                        phi_435_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_436_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e269 = phi_435_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e281 = -(_e244);
-                    if (_e281 < -126i) {
-                        phi_455_ = -126i;
+                    let _e270 = phi_436_;
+                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = -(_e245);
+                    if (_e282 < -126i) {
+                        phi_456_ = -126i;
                     } else {
-                        phi_455_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_456_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e286 = phi_455_;
-                    let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
-                    let _e301 = global_4.member[_e149].member;
-                    let _e302 = (_e263 == 0u);
-                    if _e302 {
-                        phi_473_ = _e301[0];
+                    let _e287 = phi_456_;
+                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
+                    let _e302 = global_4.member[_e150].member;
+                    let _e303 = (_e264 == 0u);
+                    if _e303 {
+                        phi_474_ = _e302[0];
                     } else {
-                        phi_473_ = _e301[1];
+                        phi_474_ = _e302[1];
                     }
-                    let _e306 = phi_473_;
-                    let _e307 = (_e263 == 2u);
-                    if _e307 {
-                        phi_479_ = _e301[2];
+                    let _e307 = phi_474_;
+                    let _e308 = (_e264 == 2u);
+                    if _e308 {
+                        phi_480_ = _e302[2];
                     } else {
-                        phi_479_ = _e306;
+                        phi_480_ = _e307;
                     }
-                    let _e310 = phi_479_;
-                    let _e312 = ((_e310 * _e274) * _e280);
-                    let _e313 = global_4.member[_e149].member_2;
-                    if _e302 {
-                        phi_490_ = _e313[0];
+                    let _e311 = phi_480_;
+                    let _e313 = ((_e311 * _e275) * _e281);
+                    let _e314 = global_4.member[_e150].member_2;
+                    if _e303 {
+                        phi_491_ = _e314[0];
                     } else {
-                        phi_490_ = _e313[1];
+                        phi_491_ = _e314[1];
                     }
-                    let _e317 = phi_490_;
-                    if _e307 {
-                        phi_496_ = _e313[2];
+                    let _e318 = phi_491_;
+                    if _e308 {
+                        phi_497_ = _e314[2];
                     } else {
-                        phi_496_ = _e317;
+                        phi_497_ = _e318;
                     }
-                    let _e320 = phi_496_;
-                    let _e322 = ((_e320 * _e291) * _e297);
-                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e326 {
-                        let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                    let _e321 = phi_497_;
+                    let _e323 = ((_e321 * _e292) * _e298);
+                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e327 {
+                        let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
+                        phi_520_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
                     } else {
-                        phi_519_ = 0f;
+                        phi_520_ = 0f;
                     }
-                    let _e334 = phi_519_;
-                    let _e335 = (_e312 + _e334);
-                    let _e336 = (_e312 - _e334);
-                    let _e337 = select(_e322, 0f, _e326);
-                    if _e326 {
-                        phi_530_ = 38685626000000000000000000f;
+                    let _e335 = phi_520_;
+                    let _e336 = (_e313 + _e335);
+                    let _e337 = (_e313 - _e335);
+                    let _e338 = select(_e323, 0f, _e327);
+                    if _e327 {
+                        phi_531_ = 38685626000000000000000000f;
                     } else {
-                        phi_530_ = (1f / _e322);
+                        phi_531_ = (1f / _e323);
                     }
-                    let _e340 = phi_530_;
-                    let _e341 = (_e262 == 0u);
-                    if _e341 {
-                        phi_539_ = _e301[0];
+                    let _e341 = phi_531_;
+                    let _e342 = (_e263 == 0u);
+                    if _e342 {
+                        phi_540_ = _e302[0];
                     } else {
-                        phi_539_ = _e301[1];
+                        phi_540_ = _e302[1];
                     }
-                    let _e345 = phi_539_;
-                    let _e346 = (_e262 == 2u);
-                    if _e346 {
-                        phi_545_ = _e301[2];
+                    let _e346 = phi_540_;
+                    let _e347 = (_e263 == 2u);
+                    if _e347 {
+                        phi_546_ = _e302[2];
                     } else {
-                        phi_545_ = _e345;
+                        phi_546_ = _e346;
                     }
-                    let _e349 = phi_545_;
-                    let _e351 = ((_e349 * _e274) * _e280);
-                    if _e341 {
-                        phi_556_ = _e313[0];
+                    let _e350 = phi_546_;
+                    let _e352 = ((_e350 * _e275) * _e281);
+                    if _e342 {
+                        phi_557_ = _e314[0];
                     } else {
-                        phi_556_ = _e313[1];
+                        phi_557_ = _e314[1];
                     }
-                    let _e355 = phi_556_;
-                    if _e346 {
-                        phi_562_ = _e313[2];
+                    let _e356 = phi_557_;
+                    if _e347 {
+                        phi_563_ = _e314[2];
                     } else {
-                        phi_562_ = _e355;
+                        phi_563_ = _e356;
                     }
-                    let _e358 = phi_562_;
-                    let _e360 = ((_e358 * _e291) * _e297);
-                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e364 {
-                        let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                    let _e359 = phi_563_;
+                    let _e361 = ((_e359 * _e292) * _e298);
+                    let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e365 {
+                        let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
+                        phi_586_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
                     } else {
-                        phi_585_ = 0f;
+                        phi_586_ = 0f;
                     }
-                    let _e372 = phi_585_;
-                    let _e373 = (_e351 + _e372);
-                    let _e374 = (_e351 - _e372);
-                    let _e375 = select(_e360, 0f, _e364);
-                    if _e364 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e373 = phi_586_;
+                    let _e374 = (_e352 + _e373);
+                    let _e375 = (_e352 - _e373);
+                    let _e376 = select(_e361, 0f, _e365);
+                    if _e365 {
+                        phi_597_ = 38685626000000000000000000f;
                     } else {
-                        phi_596_ = (1f / _e360);
+                        phi_597_ = (1f / _e361);
                     }
-                    let _e378 = phi_596_;
-                    let _e379 = (_e264 == 0u);
-                    if _e379 {
-                        phi_605_ = _e301[0];
+                    let _e379 = phi_597_;
+                    let _e380 = (_e265 == 0u);
+                    if _e380 {
+                        phi_606_ = _e302[0];
                     } else {
-                        phi_605_ = _e301[1];
+                        phi_606_ = _e302[1];
                     }
-                    let _e383 = phi_605_;
-                    let _e384 = (_e264 == 2u);
-                    if _e384 {
-                        phi_611_ = _e301[2];
+                    let _e384 = phi_606_;
+                    let _e385 = (_e265 == 2u);
+                    if _e385 {
+                        phi_612_ = _e302[2];
                     } else {
-                        phi_611_ = _e383;
+                        phi_612_ = _e384;
                     }
-                    let _e387 = phi_611_;
-                    let _e389 = ((_e387 * _e274) * _e280);
-                    if _e379 {
-                        phi_622_ = _e313[0];
+                    let _e388 = phi_612_;
+                    let _e390 = ((_e388 * _e275) * _e281);
+                    if _e380 {
+                        phi_623_ = _e314[0];
                     } else {
-                        phi_622_ = _e313[1];
+                        phi_623_ = _e314[1];
                     }
-                    let _e393 = phi_622_;
-                    if _e384 {
-                        phi_628_ = _e313[2];
+                    let _e394 = phi_623_;
+                    if _e385 {
+                        phi_629_ = _e314[2];
                     } else {
-                        phi_628_ = _e393;
+                        phi_629_ = _e394;
                     }
-                    let _e396 = phi_628_;
-                    let _e398 = ((_e396 * _e291) * _e297);
-                    let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e402 {
-                        let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_651_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
+                    let _e397 = phi_629_;
+                    let _e399 = ((_e397 * _e292) * _e298);
+                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e403 {
+                        let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
+                        phi_652_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                     } else {
-                        phi_651_ = 0f;
+                        phi_652_ = 0f;
                     }
-                    let _e410 = phi_651_;
-                    let _e411 = (_e389 + _e410);
-                    let _e412 = (_e389 - _e410);
-                    let _e413 = select(_e398, 0f, _e402);
-                    if _e402 {
-                        phi_662_ = 38685626000000000000000000f;
+                    let _e411 = phi_652_;
+                    let _e412 = (_e390 + _e411);
+                    let _e413 = (_e390 - _e411);
+                    let _e414 = select(_e399, 0f, _e403);
+                    if _e403 {
+                        phi_663_ = 38685626000000000000000000f;
                     } else {
-                        phi_662_ = (1f / _e398);
+                        phi_663_ = (1f / _e399);
                     }
-                    let _e416 = phi_662_;
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
-                    let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
-                    let _e424 = select(_e422, _e419, (_e419 > _e422));
-                    let _e427 = bitcast<f32>((bitcast<u32>(_e389) & 2147483647u));
-                    let _e430 = (_e131 + _e244);
-                    if (_e225 && (select(_e427, _e424, (_e424 > _e427)) <= 1099511600000f)) {
-                        let _e433 = (_e430 / 3i);
-                        let _e440 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
-                        let _e447 = bitcast<f32>((bitcast<u32>(((_e430 - (2i * _e433)) + 127i)) << bitcast<u32>(23i)));
-                        let _e448 = (((_e210 * _e440) * _e440) * _e447);
-                        let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
-                        let _e455 = (((_e219 * _e440) * _e440) * _e447);
-                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        phi_762_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
-                        phi_763_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
+                    let _e417 = phi_663_;
+                    let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
+                    let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
+                    let _e425 = select(_e423, _e420, (_e420 > _e423));
+                    let _e428 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
+                    let _e431 = (_e132 + _e245);
+                    if (_e226 && (select(_e428, _e425, (_e425 > _e428)) <= 1099511600000f)) {
+                        let _e434 = (_e431 / 3i);
+                        let _e441 = bitcast<f32>((bitcast<u32>((_e434 + 127i)) << bitcast<u32>(23i)));
+                        let _e448 = bitcast<f32>((bitcast<u32>(((_e431 - (2i * _e434)) + 127i)) << bitcast<u32>(23i)));
+                        let _e449 = (((_e211 * _e441) * _e441) * _e448);
+                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
+                        let _e456 = (((_e220 * _e441) * _e441) * _e448);
+                        let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
+                        phi_763_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
+                        phi_764_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_762_ = 0f;
-                        phi_763_ = 1f;
+                        phi_763_ = 0f;
+                        phi_764_ = 1f;
                     }
-                    let _e461 = phi_762_;
-                    let _e463 = phi_763_;
+                    let _e462 = phi_763_;
+                    let _e464 = phi_764_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -531,1288 +533,1298 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e468 = (_e263 % 3u);
-                    let _e469 = (_e468 < 3u);
-                    if _e469 {
+                    let _e469 = (_e264 % 3u);
+                    let _e470 = (_e469 < 3u);
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e471 = local_1[_e468];
-                    let _e474 = (_e262 % 3u);
-                    let _e475 = (_e474 < 3u);
-                    if _e475 {
+                    let _e472 = local_1[_e469];
+                    let _e475 = (_e263 % 3u);
+                    let _e476 = (_e475 < 3u);
+                    if _e476 {
                     } else {
                         break;
                     }
-                    let _e477 = local_1[_e474];
-                    let _e480 = (_e264 % 3u);
-                    let _e481 = (_e480 < 3u);
-                    if _e481 {
+                    let _e478 = local_1[_e475];
+                    let _e481 = (_e265 % 3u);
+                    let _e482 = (_e481 < 3u);
+                    if _e482 {
                     } else {
                         break;
                     }
-                    let _e483 = local_1[_e480];
-                    if _e469 {
+                    let _e484 = local_1[_e481];
+                    if _e470 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e468];
-                    if _e475 {
+                    let _e489 = local[_e469];
+                    if _e476 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e474];
-                    if _e481 {
+                    let _e493 = local[_e475];
+                    if _e482 {
                     } else {
                         break;
                     }
-                    let _e496 = local[_e480];
-                    phi_4049_ = false;
-                    phi_853_ = type_43(type_36(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e461), 0u, 0u);
-                    phi_856_ = type_50(type_32(vec4<f32>((f32(_e471) * _e143), (f32(_e477) * _e143), (f32(_e483) * _e143), 0f), vec4<f32>((f32(_e488) * _e143), (f32(_e492) * _e143), (f32(_e496) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
-                    phi_858_ = ((3u * _e92) + 1u);
-                    phi_860_ = (_e463 <= _e461);
-                    phi_862_ = 0u;
+                    let _e497 = local[_e481];
+                    phi_4047_ = false;
+                    phi_854_ = type_43(type_36(type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e462), 0u, 0u);
+                    phi_857_ = type_50(type_32(vec4<f32>((f32(_e472) * _e144), (f32(_e478) * _e144), (f32(_e484) * _e144), 0f), vec4<f32>((f32(_e489) * _e144), (f32(_e493) * _e144), (f32(_e497) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_859_ = ((3u * _e93) + 1u);
+                    phi_861_ = (_e464 <= _e462);
+                    phi_863_ = 0u;
                     loop {
-                        let _e506 = phi_4049_;
-                        let _e508 = phi_853_;
-                        let _e510 = phi_856_;
-                        let _e512 = phi_858_;
-                        let _e514 = phi_860_;
-                        let _e516 = phi_862_;
-                        local_10 = _e508;
-                        local_11 = _e508;
-                        if _e514 {
-                            phi_873_ = true;
+                        let _e507 = phi_4047_;
+                        let _e509 = phi_854_;
+                        let _e511 = phi_857_;
+                        let _e513 = phi_859_;
+                        let _e515 = phi_861_;
+                        let _e517 = phi_863_;
+                        local_10 = _e509;
+                        local_11 = _e509;
+                        if _e515 {
+                            phi_874_ = true;
                         } else {
-                            phi_873_ = (_e516 > 0u);
+                            phi_874_ = (_e517 > 0u);
                         }
-                        let _e519 = phi_873_;
-                        if _e519 {
-                            let _e520 = (_e512 > 0u);
-                            if _e520 {
-                                if _e514 {
-                                    phi_959_ = _e510;
-                                    phi_960_ = _e514;
-                                    phi_961_ = _e516;
+                        let _e520 = phi_874_;
+                        if _e520 {
+                            let _e521 = (_e513 > 0u);
+                            if _e521 {
+                                if _e515 {
+                                    phi_960_ = _e511;
+                                    phi_961_ = _e515;
+                                    phi_962_ = _e517;
                                 } else {
-                                    let _e521 = (_e516 - 1u);
-                                    let _e522 = (_e521 % 128u);
-                                    let _e523 = (_e522 < 128u);
-                                    if _e523 {
+                                    let _e522 = (_e517 - 1u);
+                                    let _e523 = (_e522 % 128u);
+                                    let _e524 = (_e523 < 128u);
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e525 = local_7[_e522];
-                                    if _e523 {
+                                    let _e526 = local_7[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e527 = local_6[_e522];
-                                    if _e523 {
+                                    let _e528 = local_6[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e529 = local_5[_e522];
-                                    if _e523 {
+                                    let _e530 = local_5[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e531 = local_4[_e522];
-                                    if _e523 {
+                                    let _e532 = local_4[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e533 = local_3[_e522];
-                                    if _e523 {
+                                    let _e534 = local_3[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e535 = local_2[_e522];
-                                    if _e523 {
+                                    let _e536 = local_2[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e540 = local_8[_e522];
-                                    if _e523 {
+                                    let _e541 = local_8[_e523];
+                                    if _e524 {
                                     } else {
-                                        phi_4232_ = true;
+                                        phi_4230_ = true;
                                         break;
                                     }
-                                    let _e543 = local_9[_e522];
-                                    phi_959_ = type_50(type_32(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
-                                    phi_960_ = (_e543 <= _e508.member.member_1);
-                                    phi_961_ = _e521;
+                                    let _e544 = local_9[_e523];
+                                    phi_960_ = type_50(type_32(vec4<f32>(_e526, _e528, _e530, 0f), vec4<f32>(_e532, _e534, _e536, 0f)), _e541);
+                                    phi_961_ = (_e544 <= _e509.member.member_1);
+                                    phi_962_ = _e522;
                                 }
-                                let _e548 = phi_959_;
-                                let _e550 = phi_960_;
-                                let _e552 = phi_961_;
-                                if _e550 {
-                                    let _e557 = (_e548.member_1 & 268435455u);
-                                    if ((_e548.member_1 & 2147483648u) != 0u) {
-                                        phi_980_ = _e508;
-                                        phi_983_ = type_8(0u, ((_e548.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e549 = phi_960_;
+                                let _e551 = phi_961_;
+                                let _e553 = phi_962_;
+                                if _e551 {
+                                    let _e558 = (_e549.member_1 & 268435455u);
+                                    if ((_e549.member_1 & 2147483648u) != 0u) {
+                                        phi_981_ = _e509;
+                                        phi_984_ = type_8(0u, ((_e549.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1024 = phi_980_;
-                                            let _e1026 = phi_983_;
-                                            local_12 = _e1024;
-                                            if (_e1026.member < _e1026.member_1) {
-                                                phi_984_ = type_8((_e1026.member + 1u), _e1026.member_1);
-                                                phi_1006_ = type_8(1u, _e1026.member);
+                                            let _e1025 = phi_981_;
+                                            let _e1027 = phi_984_;
+                                            local_12 = _e1025;
+                                            if (_e1027.member < _e1027.member_1) {
+                                                phi_985_ = type_8((_e1027.member + 1u), _e1027.member_1);
+                                                phi_1007_ = type_8(1u, _e1027.member);
                                             } else {
-                                                phi_984_ = _e1026;
-                                                phi_1006_ = type_8(0u, type_8().member_1);
+                                                phi_985_ = _e1027;
+                                                phi_1007_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1039 = phi_984_;
-                                            let _e1041 = phi_1006_;
-                                            let _e1045 = (bitcast<i32>(_e1041.member) != 0i);
-                                            if _e1045 {
-                                                let _e1051 = type_43(_e1024.member, _e1024.member_1, (_e1024.member_2 + 1u));
-                                                let _e1056 = (_e548.member.member_1.x - _e548.member.member.x);
-                                                let _e1059 = (_e548.member.member_1.y - _e548.member.member.y);
-                                                let _e1062 = (_e548.member.member_1.z - _e548.member.member.z);
-                                                let _e1064 = select(_e1059, _e1056, (_e1056 > _e1059));
-                                                let _e1066 = select(_e1062, _e1064, (_e1064 > _e1062));
-                                                let _e1068 = (_e1066 < (1024f * _e143));
-                                                if _e1068 {
-                                                    phi_1050_ = 0u;
+                                            let _e1040 = phi_985_;
+                                            let _e1042 = phi_1007_;
+                                            let _e1046 = (bitcast<i32>(_e1042.member) != 0i);
+                                            if _e1046 {
+                                                let _e1052 = type_43(_e1025.member, _e1025.member_1, (_e1025.member_2 + 1u));
+                                                let _e1057 = (_e549.member.member_1.x - _e549.member.member.x);
+                                                let _e1060 = (_e549.member.member_1.y - _e549.member.member.y);
+                                                let _e1063 = (_e549.member.member_1.z - _e549.member.member.z);
+                                                let _e1065 = select(_e1060, _e1057, (_e1057 > _e1060));
+                                                let _e1067 = select(_e1063, _e1065, (_e1065 > _e1063));
+                                                let _e1069 = (_e1067 < (1024f * _e144));
+                                                if _e1069 {
+                                                    phi_1051_ = 0u;
                                                 } else {
-                                                    phi_1050_ = select(2u, 1u, (_e1066 < (2097152f * _e143)));
+                                                    phi_1051_ = select(2u, 1u, (_e1067 < (2097152f * _e144)));
                                                 }
-                                                let _e1073 = phi_1050_;
-                                                switch bitcast<i32>(_e1073) {
+                                                let _e1074 = phi_1051_;
+                                                switch bitcast<i32>(_e1074) {
                                                     case 0: {
-                                                        phi_1056_ = 1u;
+                                                        phi_1057_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1056_ = 2u;
+                                                        phi_1057_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1056_ = 3u;
+                                                        phi_1057_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1056_ = u32();
+                                                        phi_1057_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1076 = phi_1056_;
-                                                switch bitcast<i32>(_e1073) {
+                                                let _e1077 = phi_1057_;
+                                                switch bitcast<i32>(_e1074) {
                                                     case 0: {
-                                                        phi_1066_ = 1u;
+                                                        phi_1067_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1066_ = 2u;
+                                                        phi_1067_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1066_ = 3u;
+                                                        phi_1067_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1066_ = u32();
+                                                        phi_1067_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1083 = phi_1066_;
-                                                let _e1085 = ((_e557 + (_e1041.member_1 * ((3u * _e1076) + 1u))) + (3u * _e1083));
-                                                let _e1086 = (_e1085 < _e95);
-                                                if _e1086 {
-                                                    if _e1086 {
+                                                let _e1084 = phi_1067_;
+                                                let _e1086 = ((_e558 + (_e1042.member_1 * ((3u * _e1077) + 1u))) + (3u * _e1084));
+                                                let _e1087 = (_e1086 < _e96);
+                                                if _e1087 {
+                                                    if _e1087 {
                                                     } else {
-                                                        phi_4043_ = true;
+                                                        phi_4041_ = true;
                                                         break;
                                                     }
-                                                    let _e1088 = global_5.member[_e1085];
-                                                    phi_1082_ = _e1088;
+                                                    let _e1089 = global_5.member[_e1086];
+                                                    phi_1083_ = _e1089;
                                                 } else {
-                                                    phi_1082_ = 4294967295u;
+                                                    phi_1083_ = 4294967295u;
                                                 }
-                                                let _e1090 = phi_1082_;
-                                                if _e1068 {
-                                                    phi_1115_ = 0u;
+                                                let _e1091 = phi_1083_;
+                                                if _e1069 {
+                                                    phi_1116_ = 0u;
                                                 } else {
-                                                    phi_1115_ = select(2u, 1u, (_e1066 < (2097152f * _e143)));
+                                                    phi_1116_ = select(2u, 1u, (_e1067 < (2097152f * _e144)));
                                                 }
-                                                let _e1095 = phi_1115_;
-                                                switch bitcast<i32>(_e1095) {
+                                                let _e1096 = phi_1116_;
+                                                switch bitcast<i32>(_e1096) {
                                                     case 0: {
-                                                        phi_1121_ = 1u;
+                                                        phi_1122_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1121_ = 2u;
+                                                        phi_1122_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1121_ = 3u;
+                                                        phi_1122_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1121_ = u32();
+                                                        phi_1122_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1098 = phi_1121_;
-                                                let _e1102 = (_e557 + (_e1041.member_1 * ((3u * _e1098) + 1u)));
-                                                switch bitcast<i32>(_e1095) {
+                                                let _e1099 = phi_1122_;
+                                                let _e1103 = (_e558 + (_e1042.member_1 * ((3u * _e1099) + 1u)));
+                                                switch bitcast<i32>(_e1096) {
                                                     case 0: {
-                                                        let _e1368 = (_e1102 < _e95);
-                                                        if _e1368 {
-                                                            if _e1368 {
+                                                        let _e1369 = (_e1103 < _e96);
+                                                        if _e1369 {
+                                                            if _e1369 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1370 = global_5.member[_e1102];
-                                                            phi_1145_ = _e1370;
+                                                            let _e1371 = global_5.member[_e1103];
+                                                            phi_1146_ = _e1371;
                                                         } else {
-                                                            phi_1145_ = 0u;
+                                                            phi_1146_ = 0u;
                                                         }
-                                                        let _e1372 = phi_1145_;
-                                                        let _e1374 = ((10u * _e263) & 31u);
-                                                        let _e1383 = ((10u * _e262) & 31u);
-                                                        let _e1392 = ((10u * _e264) & 31u);
-                                                        let _e1401 = (_e1102 + 1u);
-                                                        let _e1402 = (_e1401 < _e95);
-                                                        if _e1402 {
-                                                            if _e1402 {
+                                                        let _e1373 = phi_1146_;
+                                                        let _e1375 = ((10u * _e264) & 31u);
+                                                        let _e1384 = ((10u * _e263) & 31u);
+                                                        let _e1393 = ((10u * _e265) & 31u);
+                                                        let _e1402 = (_e1103 + 1u);
+                                                        let _e1403 = (_e1402 < _e96);
+                                                        if _e1403 {
+                                                            if _e1403 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1404 = global_5.member[_e1401];
-                                                            phi_1188_ = _e1404;
+                                                            let _e1405 = global_5.member[_e1402];
+                                                            phi_1189_ = _e1405;
                                                         } else {
-                                                            phi_1188_ = 0u;
+                                                            phi_1189_ = 0u;
                                                         }
-                                                        let _e1406 = phi_1188_;
-                                                        let _e1429 = (_e1102 + 2u);
-                                                        let _e1430 = (_e1429 < _e95);
-                                                        if _e1430 {
-                                                            if _e1430 {
+                                                        let _e1407 = phi_1189_;
+                                                        let _e1430 = (_e1103 + 2u);
+                                                        let _e1431 = (_e1430 < _e96);
+                                                        if _e1431 {
+                                                            if _e1431 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1432 = global_5.member[_e1429];
-                                                            phi_1231_ = _e1432;
+                                                            let _e1433 = global_5.member[_e1430];
+                                                            phi_1232_ = _e1433;
                                                         } else {
-                                                            phi_1231_ = 0u;
+                                                            phi_1232_ = 0u;
                                                         }
-                                                        let _e1434 = phi_1231_;
-                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1374)) & 1023u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1383)) & 1023u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1392)) & 1023u))) * _e143))), array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1374)) & 1023u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1383)) & 1023u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1392)) & 1023u))) * _e143))), array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1374)) & 1023u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1383)) & 1023u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1392)) & 1023u))) * _e143))));
+                                                        let _e1435 = phi_1232_;
+                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1375)) & 1023u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1384)) & 1023u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1373 >> bitcast<u32>(_e1393)) & 1023u))) * _e144))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1375)) & 1023u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1384)) & 1023u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1407 >> bitcast<u32>(_e1393)) & 1023u))) * _e144))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1375)) & 1023u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1384)) & 1023u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>(((_e1435 >> bitcast<u32>(_e1393)) & 1023u))) * _e144))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1191 = (_e1102 < _e95);
-                                                        if _e1191 {
-                                                            if _e1191 {
+                                                        let _e1192 = (_e1103 < _e96);
+                                                        if _e1192 {
+                                                            if _e1192 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1193 = global_5.member[_e1102];
-                                                            phi_1274_ = _e1193;
+                                                            let _e1194 = global_5.member[_e1103];
+                                                            phi_1275_ = _e1194;
                                                         } else {
-                                                            phi_1274_ = 0u;
+                                                            phi_1275_ = 0u;
                                                         }
-                                                        let _e1195 = phi_1274_;
-                                                        let _e1196 = (_e1102 + 1u);
-                                                        let _e1197 = (_e1196 < _e95);
-                                                        if _e1197 {
-                                                            if _e1197 {
+                                                        let _e1196 = phi_1275_;
+                                                        let _e1197 = (_e1103 + 1u);
+                                                        let _e1198 = (_e1197 < _e96);
+                                                        if _e1198 {
+                                                            if _e1198 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1199 = global_5.member[_e1196];
-                                                            phi_1289_ = _e1199;
+                                                            let _e1200 = global_5.member[_e1197];
+                                                            phi_1290_ = _e1200;
                                                         } else {
-                                                            phi_1289_ = 0u;
+                                                            phi_1290_ = 0u;
                                                         }
-                                                        let _e1201 = phi_1289_;
-                                                        let _e1202 = (_e263 == 1u);
-                                                        if _e1202 {
-                                                            phi_1299_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1202 = phi_1290_;
+                                                        let _e1203 = (_e264 == 1u);
+                                                        if _e1203 {
+                                                            phi_1300_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1299_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1300_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1211 = phi_1299_;
-                                                        let _e1218 = (_e262 == 1u);
-                                                        if _e1218 {
-                                                            phi_1319_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1212 = phi_1300_;
+                                                        let _e1219 = (_e263 == 1u);
+                                                        if _e1219 {
+                                                            phi_1320_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1319_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1320_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1227 = phi_1319_;
-                                                        let _e1234 = (_e264 == 1u);
-                                                        if _e1234 {
-                                                            phi_1339_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
+                                                        let _e1228 = phi_1320_;
+                                                        let _e1235 = (_e265 == 1u);
+                                                        if _e1235 {
+                                                            phi_1340_ = ((_e1196 >> bitcast<u32>(21i)) | (_e1202 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1339_ = (_e1201 >> bitcast<u32>(10i));
+                                                            phi_1340_ = (_e1202 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1243 = phi_1339_;
-                                                        let _e1251 = (_e1102 + 2u);
-                                                        let _e1252 = (_e1251 < _e95);
-                                                        if _e1252 {
-                                                            if _e1252 {
+                                                        let _e1244 = phi_1340_;
+                                                        let _e1252 = (_e1103 + 2u);
+                                                        let _e1253 = (_e1252 < _e96);
+                                                        if _e1253 {
+                                                            if _e1253 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1254 = global_5.member[_e1251];
-                                                            phi_1365_ = _e1254;
+                                                            let _e1255 = global_5.member[_e1252];
+                                                            phi_1366_ = _e1255;
                                                         } else {
-                                                            phi_1365_ = 0u;
+                                                            phi_1366_ = 0u;
                                                         }
-                                                        let _e1256 = phi_1365_;
-                                                        let _e1257 = (_e1102 + 3u);
-                                                        let _e1258 = (_e1257 < _e95);
-                                                        if _e1258 {
-                                                            if _e1258 {
+                                                        let _e1257 = phi_1366_;
+                                                        let _e1258 = (_e1103 + 3u);
+                                                        let _e1259 = (_e1258 < _e96);
+                                                        if _e1259 {
+                                                            if _e1259 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1260 = global_5.member[_e1257];
-                                                            phi_1380_ = _e1260;
+                                                            let _e1261 = global_5.member[_e1258];
+                                                            phi_1381_ = _e1261;
                                                         } else {
-                                                            phi_1380_ = 0u;
+                                                            phi_1381_ = 0u;
                                                         }
-                                                        let _e1262 = phi_1380_;
-                                                        if _e1202 {
-                                                            phi_1390_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1263 = phi_1381_;
+                                                        if _e1203 {
+                                                            phi_1391_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1390_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1391_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1271 = phi_1390_;
-                                                        if _e1218 {
-                                                            phi_1410_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1272 = phi_1391_;
+                                                        if _e1219 {
+                                                            phi_1411_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1410_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1411_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1286 = phi_1410_;
-                                                        if _e1234 {
-                                                            phi_1430_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
+                                                        let _e1287 = phi_1411_;
+                                                        if _e1235 {
+                                                            phi_1431_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1430_ = (_e1262 >> bitcast<u32>(10i));
+                                                            phi_1431_ = (_e1263 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1301 = phi_1430_;
-                                                        let _e1309 = (_e1102 + 4u);
-                                                        let _e1310 = (_e1309 < _e95);
-                                                        if _e1310 {
-                                                            if _e1310 {
+                                                        let _e1302 = phi_1431_;
+                                                        let _e1310 = (_e1103 + 4u);
+                                                        let _e1311 = (_e1310 < _e96);
+                                                        if _e1311 {
+                                                            if _e1311 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1312 = global_5.member[_e1309];
-                                                            phi_1456_ = _e1312;
+                                                            let _e1313 = global_5.member[_e1310];
+                                                            phi_1457_ = _e1313;
                                                         } else {
-                                                            phi_1456_ = 0u;
+                                                            phi_1457_ = 0u;
                                                         }
-                                                        let _e1314 = phi_1456_;
-                                                        let _e1315 = (_e1102 + 5u);
-                                                        let _e1316 = (_e1315 < _e95);
-                                                        if _e1316 {
-                                                            if _e1316 {
+                                                        let _e1315 = phi_1457_;
+                                                        let _e1316 = (_e1103 + 5u);
+                                                        let _e1317 = (_e1316 < _e96);
+                                                        if _e1317 {
+                                                            if _e1317 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1318 = global_5.member[_e1315];
-                                                            phi_1471_ = _e1318;
+                                                            let _e1319 = global_5.member[_e1316];
+                                                            phi_1472_ = _e1319;
                                                         } else {
-                                                            phi_1471_ = 0u;
+                                                            phi_1472_ = 0u;
                                                         }
-                                                        let _e1320 = phi_1471_;
-                                                        if _e1202 {
-                                                            phi_1481_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1321 = phi_1472_;
+                                                        if _e1203 {
+                                                            phi_1482_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1481_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1482_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1329 = phi_1481_;
-                                                        if _e1218 {
-                                                            phi_1501_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1330 = phi_1482_;
+                                                        if _e1219 {
+                                                            phi_1502_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1501_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1502_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1344 = phi_1501_;
-                                                        if _e1234 {
-                                                            phi_1521_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
+                                                        let _e1345 = phi_1502_;
+                                                        if _e1235 {
+                                                            phi_1522_ = ((_e1315 >> bitcast<u32>(21i)) | (_e1321 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1521_ = (_e1320 >> bitcast<u32>(10i));
+                                                            phi_1522_ = (_e1321 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1359 = phi_1521_;
-                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>((select(_e1211, _e1195, _e302) & 2097151u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>((select(_e1227, _e1195, _e341) & 2097151u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>((select(_e1243, _e1195, _e379) & 2097151u))) * _e143))), array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>((select(_e1271, _e1256, _e302) & 2097151u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>((select(_e1286, _e1256, _e341) & 2097151u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>((select(_e1301, _e1256, _e379) & 2097151u))) * _e143))), array<f32, 3>((_e548.member.member.x + (f32(bitcast<i32>((select(_e1329, _e1314, _e302) & 2097151u))) * _e143)), (_e548.member.member.y + (f32(bitcast<i32>((select(_e1344, _e1314, _e341) & 2097151u))) * _e143)), (_e548.member.member.z + (f32(bitcast<i32>((select(_e1359, _e1314, _e379) & 2097151u))) * _e143))));
+                                                        let _e1360 = phi_1522_;
+                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1212, _e1196, _e303) & 2097151u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1228, _e1196, _e342) & 2097151u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1244, _e1196, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1272, _e1257, _e303) & 2097151u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1287, _e1257, _e342) & 2097151u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1302, _e1257, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e549.member.member.x + (f32(bitcast<i32>((select(_e1330, _e1315, _e303) & 2097151u))) * _e144)), (_e549.member.member.y + (f32(bitcast<i32>((select(_e1345, _e1315, _e342) & 2097151u))) * _e144)), (_e549.member.member.z + (f32(bitcast<i32>((select(_e1360, _e1315, _e380) & 2097151u))) * _e144))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1104 = (_e1102 + _e263);
-                                                        let _e1105 = (_e1104 < _e95);
-                                                        if _e1105 {
-                                                            if _e1105 {
+                                                        let _e1105 = (_e1103 + _e264);
+                                                        let _e1106 = (_e1105 < _e96);
+                                                        if _e1106 {
+                                                            if _e1106 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1107 = global_5.member[_e1104];
-                                                            phi_1548_ = _e1107;
+                                                            let _e1108 = global_5.member[_e1105];
+                                                            phi_1549_ = _e1108;
                                                         } else {
-                                                            phi_1548_ = 0u;
+                                                            phi_1549_ = 0u;
                                                         }
-                                                        let _e1109 = phi_1548_;
-                                                        let _e1113 = (_e1102 + _e262);
-                                                        let _e1114 = (_e1113 < _e95);
-                                                        if _e1114 {
-                                                            if _e1114 {
+                                                        let _e1110 = phi_1549_;
+                                                        let _e1114 = (_e1103 + _e263);
+                                                        let _e1115 = (_e1114 < _e96);
+                                                        if _e1115 {
+                                                            if _e1115 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1116 = global_5.member[_e1113];
-                                                            phi_1566_ = _e1116;
+                                                            let _e1117 = global_5.member[_e1114];
+                                                            phi_1567_ = _e1117;
                                                         } else {
-                                                            phi_1566_ = 0u;
+                                                            phi_1567_ = 0u;
                                                         }
-                                                        let _e1118 = phi_1566_;
-                                                        let _e1122 = (_e1102 + _e264);
-                                                        let _e1123 = (_e1122 < _e95);
-                                                        if _e1123 {
-                                                            if _e1123 {
+                                                        let _e1119 = phi_1567_;
+                                                        let _e1123 = (_e1103 + _e265);
+                                                        let _e1124 = (_e1123 < _e96);
+                                                        if _e1124 {
+                                                            if _e1124 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1125 = global_5.member[_e1122];
-                                                            phi_1584_ = _e1125;
+                                                            let _e1126 = global_5.member[_e1123];
+                                                            phi_1585_ = _e1126;
                                                         } else {
-                                                            phi_1584_ = 0u;
+                                                            phi_1585_ = 0u;
                                                         }
-                                                        let _e1127 = phi_1584_;
-                                                        let _e1132 = (_e1102 + 3u);
-                                                        let _e1133 = (_e1132 + _e263);
-                                                        let _e1134 = (_e1133 < _e95);
-                                                        if _e1134 {
-                                                            if _e1134 {
+                                                        let _e1128 = phi_1585_;
+                                                        let _e1133 = (_e1103 + 3u);
+                                                        let _e1134 = (_e1133 + _e264);
+                                                        let _e1135 = (_e1134 < _e96);
+                                                        if _e1135 {
+                                                            if _e1135 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1136 = global_5.member[_e1133];
-                                                            phi_1604_ = _e1136;
+                                                            let _e1137 = global_5.member[_e1134];
+                                                            phi_1605_ = _e1137;
                                                         } else {
-                                                            phi_1604_ = 0u;
+                                                            phi_1605_ = 0u;
                                                         }
-                                                        let _e1138 = phi_1604_;
-                                                        let _e1142 = (_e1132 + _e262);
-                                                        let _e1143 = (_e1142 < _e95);
-                                                        if _e1143 {
-                                                            if _e1143 {
+                                                        let _e1139 = phi_1605_;
+                                                        let _e1143 = (_e1133 + _e263);
+                                                        let _e1144 = (_e1143 < _e96);
+                                                        if _e1144 {
+                                                            if _e1144 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1145 = global_5.member[_e1142];
-                                                            phi_1622_ = _e1145;
+                                                            let _e1146 = global_5.member[_e1143];
+                                                            phi_1623_ = _e1146;
                                                         } else {
-                                                            phi_1622_ = 0u;
+                                                            phi_1623_ = 0u;
                                                         }
-                                                        let _e1147 = phi_1622_;
-                                                        let _e1151 = (_e1132 + _e264);
-                                                        let _e1152 = (_e1151 < _e95);
-                                                        if _e1152 {
-                                                            if _e1152 {
+                                                        let _e1148 = phi_1623_;
+                                                        let _e1152 = (_e1133 + _e265);
+                                                        let _e1153 = (_e1152 < _e96);
+                                                        if _e1153 {
+                                                            if _e1153 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1154 = global_5.member[_e1151];
-                                                            phi_1640_ = _e1154;
+                                                            let _e1155 = global_5.member[_e1152];
+                                                            phi_1641_ = _e1155;
                                                         } else {
-                                                            phi_1640_ = 0u;
+                                                            phi_1641_ = 0u;
                                                         }
-                                                        let _e1156 = phi_1640_;
-                                                        let _e1161 = (_e1102 + 6u);
-                                                        let _e1162 = (_e1161 + _e263);
-                                                        let _e1163 = (_e1162 < _e95);
-                                                        if _e1163 {
-                                                            if _e1163 {
+                                                        let _e1157 = phi_1641_;
+                                                        let _e1162 = (_e1103 + 6u);
+                                                        let _e1163 = (_e1162 + _e264);
+                                                        let _e1164 = (_e1163 < _e96);
+                                                        if _e1164 {
+                                                            if _e1164 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1165 = global_5.member[_e1162];
-                                                            phi_1660_ = _e1165;
+                                                            let _e1166 = global_5.member[_e1163];
+                                                            phi_1661_ = _e1166;
                                                         } else {
-                                                            phi_1660_ = 0u;
+                                                            phi_1661_ = 0u;
                                                         }
-                                                        let _e1167 = phi_1660_;
-                                                        let _e1171 = (_e1161 + _e262);
-                                                        let _e1172 = (_e1171 < _e95);
-                                                        if _e1172 {
-                                                            if _e1172 {
+                                                        let _e1168 = phi_1661_;
+                                                        let _e1172 = (_e1162 + _e263);
+                                                        let _e1173 = (_e1172 < _e96);
+                                                        if _e1173 {
+                                                            if _e1173 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1174 = global_5.member[_e1171];
-                                                            phi_1678_ = _e1174;
+                                                            let _e1175 = global_5.member[_e1172];
+                                                            phi_1679_ = _e1175;
                                                         } else {
-                                                            phi_1678_ = 0u;
+                                                            phi_1679_ = 0u;
                                                         }
-                                                        let _e1176 = phi_1678_;
-                                                        let _e1180 = (_e1161 + _e264);
-                                                        let _e1181 = (_e1180 < _e95);
-                                                        if _e1181 {
-                                                            if _e1181 {
+                                                        let _e1177 = phi_1679_;
+                                                        let _e1181 = (_e1162 + _e265);
+                                                        let _e1182 = (_e1181 < _e96);
+                                                        if _e1182 {
+                                                            if _e1182 {
                                                             } else {
-                                                                phi_4043_ = true;
+                                                                phi_4041_ = true;
                                                                 break;
                                                             }
-                                                            let _e1183 = global_5.member[_e1180];
-                                                            phi_1696_ = _e1183;
+                                                            let _e1184 = global_5.member[_e1181];
+                                                            phi_1697_ = _e1184;
                                                         } else {
-                                                            phi_1696_ = 0u;
+                                                            phi_1697_ = 0u;
                                                         }
-                                                        let _e1185 = phi_1696_;
-                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1109)) * _e143), (f32(bitcast<i32>(_e1118)) * _e143), (f32(bitcast<i32>(_e1127)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1138)) * _e143), (f32(bitcast<i32>(_e1147)) * _e143), (f32(bitcast<i32>(_e1156)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1167)) * _e143), (f32(bitcast<i32>(_e1176)) * _e143), (f32(bitcast<i32>(_e1185)) * _e143)));
+                                                        let _e1186 = phi_1697_;
+                                                        phi_1703_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1110)) * _e144), (f32(bitcast<i32>(_e1119)) * _e144), (f32(bitcast<i32>(_e1128)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1139)) * _e144), (f32(bitcast<i32>(_e1148)) * _e144), (f32(bitcast<i32>(_e1157)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1168)) * _e144), (f32(bitcast<i32>(_e1177)) * _e144), (f32(bitcast<i32>(_e1186)) * _e144)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1702_ = array<array<f32, 3>, 3>();
+                                                        phi_1703_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1459 = phi_1702_;
-                                                let _e1468 = (_e1459[0][2] - _e389);
-                                                let _e1471 = (((_e1459[0][0] - _e312) * _e413) - (_e1468 * _e337));
-                                                let _e1474 = (((_e1459[0][1] - _e351) * _e413) - (_e1468 * _e375));
-                                                let _e1481 = (_e1459[1][2] - _e389);
-                                                let _e1484 = (((_e1459[1][0] - _e312) * _e413) - (_e1481 * _e337));
-                                                let _e1487 = (((_e1459[1][1] - _e351) * _e413) - (_e1481 * _e375));
-                                                let _e1494 = (_e1459[2][2] - _e389);
-                                                let _e1497 = (((_e1459[2][0] - _e312) * _e413) - (_e1494 * _e337));
-                                                let _e1500 = (((_e1459[2][1] - _e351) * _e413) - (_e1494 * _e375));
-                                                let _e1501 = (_e1497 * _e1487);
-                                                let _e1502 = (_e1500 * _e1484);
-                                                let _e1503 = (_e1471 * _e1500);
-                                                let _e1504 = (_e1474 * _e1497);
-                                                let _e1505 = (_e1484 * _e1474);
-                                                let _e1506 = (_e1487 * _e1471);
-                                                let _e1511 = (((_e1501 >= _e1502) && (_e1503 >= _e1504)) && (_e1505 >= _e1506));
-                                                if (_e1511 || (((_e1501 <= _e1502) && (_e1503 <= _e1504)) && (_e1505 <= _e1506))) {
-                                                    let _e1518 = select(-1f, 1f, _e1511);
-                                                    let _e1520 = ((_e1501 - _e1502) * _e1518);
-                                                    let _e1522 = select(0f, _e1520, (_e1520 > 0f));
-                                                    let _e1524 = ((_e1503 - _e1504) * _e1518);
-                                                    let _e1526 = select(0f, _e1524, (_e1524 > 0f));
-                                                    let _e1528 = ((_e1505 - _e1506) * _e1518);
-                                                    let _e1530 = select(0f, _e1528, (_e1528 > 0f));
-                                                    let _e1532 = ((_e1522 + _e1526) + _e1530);
-                                                    if (_e1532 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2530_ = type_28();
-                                                        phi_2531_ = true;
-                                                        phi_2532_ = false;
+                                                let _e1460 = phi_1703_;
+                                                let _e1469 = (_e1460[0][2] - _e390);
+                                                let _e1472 = (((_e1460[0][0] - _e313) * _e414) - (_e1469 * _e338));
+                                                let _e1475 = (((_e1460[0][1] - _e352) * _e414) - (_e1469 * _e376));
+                                                let _e1482 = (_e1460[1][2] - _e390);
+                                                let _e1485 = (((_e1460[1][0] - _e313) * _e414) - (_e1482 * _e338));
+                                                let _e1488 = (((_e1460[1][1] - _e352) * _e414) - (_e1482 * _e376));
+                                                let _e1495 = (_e1460[2][2] - _e390);
+                                                let _e1498 = (((_e1460[2][0] - _e313) * _e414) - (_e1495 * _e338));
+                                                let _e1501 = (((_e1460[2][1] - _e352) * _e414) - (_e1495 * _e376));
+                                                let _e1502 = (_e1498 * _e1488);
+                                                let _e1503 = (_e1501 * _e1485);
+                                                let _e1504 = (_e1472 * _e1501);
+                                                let _e1505 = (_e1475 * _e1498);
+                                                let _e1506 = (_e1485 * _e1475);
+                                                let _e1507 = (_e1488 * _e1472);
+                                                let _e1512 = (((_e1502 >= _e1503) && (_e1504 >= _e1505)) && (_e1506 >= _e1507));
+                                                if (_e1512 || (((_e1502 <= _e1503) && (_e1504 <= _e1505)) && (_e1506 <= _e1507))) {
+                                                    let _e1519 = select(-1f, 1f, _e1512);
+                                                    let _e1521 = ((_e1502 - _e1503) * _e1519);
+                                                    let _e1523 = select(0f, _e1521, (_e1521 > 0f));
+                                                    let _e1525 = ((_e1504 - _e1505) * _e1519);
+                                                    let _e1527 = select(0f, _e1525, (_e1525 > 0f));
+                                                    let _e1529 = ((_e1506 - _e1507) * _e1519);
+                                                    let _e1531 = select(0f, _e1529, (_e1529 > 0f));
+                                                    let _e1533 = ((_e1523 + _e1527) + _e1531);
+                                                    if (_e1533 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2528_ = type_28();
+                                                        phi_2529_ = true;
+                                                        phi_2530_ = false;
                                                     } else {
-                                                        let _e1535 = select(_e1484, _e1471, (_e1471 < _e1484));
-                                                        if (select(_e1497, _e1535, (_e1535 < _e1497)) > 0f) {
-                                                            phi_1819_ = true;
+                                                        let _e1536 = select(_e1485, _e1472, (_e1472 < _e1485));
+                                                        if (select(_e1498, _e1536, (_e1536 < _e1498)) > 0f) {
+                                                            phi_1820_ = true;
                                                         } else {
-                                                            let _e1540 = select(_e1484, _e1471, (_e1471 > _e1484));
-                                                            phi_1819_ = (select(_e1497, _e1540, (_e1540 > _e1497)) < 0f);
+                                                            let _e1541 = select(_e1485, _e1472, (_e1472 > _e1485));
+                                                            phi_1820_ = (select(_e1498, _e1541, (_e1541 > _e1498)) < 0f);
                                                         }
-                                                        let _e1545 = phi_1819_;
-                                                        if _e1545 {
-                                                            phi_2527_ = type_28();
-                                                            phi_2528_ = true;
-                                                            phi_2529_ = false;
+                                                        let _e1546 = phi_1820_;
+                                                        if _e1546 {
+                                                            phi_2525_ = type_28();
+                                                            phi_2526_ = true;
+                                                            phi_2527_ = false;
                                                         } else {
-                                                            let _e1547 = select(_e1487, _e1474, (_e1474 < _e1487));
-                                                            if (select(_e1500, _e1547, (_e1547 < _e1500)) > 0f) {
-                                                                phi_1848_ = true;
+                                                            let _e1548 = select(_e1488, _e1475, (_e1475 < _e1488));
+                                                            if (select(_e1501, _e1548, (_e1548 < _e1501)) > 0f) {
+                                                                phi_1849_ = true;
                                                             } else {
-                                                                let _e1552 = select(_e1487, _e1474, (_e1474 > _e1487));
-                                                                phi_1848_ = (select(_e1500, _e1552, (_e1552 > _e1500)) < 0f);
+                                                                let _e1553 = select(_e1488, _e1475, (_e1475 > _e1488));
+                                                                phi_1849_ = (select(_e1501, _e1553, (_e1553 > _e1501)) < 0f);
                                                             }
-                                                            let _e1557 = phi_1848_;
-                                                            if _e1557 {
-                                                                phi_2525_ = type_28();
-                                                                phi_2526_ = false;
+                                                            let _e1558 = phi_1849_;
+                                                            if _e1558 {
+                                                                phi_2523_ = type_28();
+                                                                phi_2524_ = false;
                                                             } else {
-                                                                let _e1559 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] < _e1459[1][0]));
-                                                                let _e1563 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] > _e1459[1][0]));
-                                                                let _e1567 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] < _e1459[1][1]));
-                                                                let _e1571 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] > _e1459[1][1]));
-                                                                let _e1575 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] < _e1459[1][2]));
-                                                                let _e1579 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] > _e1459[1][2]));
-                                                                let _e1584 = ((select(_e1459[2][0], _e1559, (_e1559 < _e1459[2][0])) - _e335) * _e340);
-                                                                let _e1585 = ((select(_e1459[2][0], _e1563, (_e1563 > _e1459[2][0])) - _e336) * _e340);
-                                                                let _e1588 = ((select(_e1459[2][1], _e1567, (_e1567 < _e1459[2][1])) - _e373) * _e378);
-                                                                let _e1589 = ((select(_e1459[2][1], _e1571, (_e1571 > _e1459[2][1])) - _e374) * _e378);
-                                                                let _e1592 = ((select(_e1459[2][2], _e1575, (_e1575 < _e1459[2][2])) - _e411) * _e416);
-                                                                let _e1593 = ((select(_e1459[2][2], _e1579, (_e1579 > _e1459[2][2])) - _e412) * _e416);
-                                                                let _e1595 = select(_e1593, _e1592, (_e1592 < _e1593));
-                                                                let _e1597 = select(_e1593, _e1592, (_e1592 > _e1593));
-                                                                let _e1599 = select(_e1585, _e1584, (_e1584 < _e1585));
-                                                                let _e1601 = select(_e1589, _e1588, (_e1588 < _e1589));
-                                                                let _e1603 = select(_e1601, _e1599, (_e1599 > _e1601));
-                                                                let _e1605 = select(_e1595, _e1603, (_e1603 > _e1595));
-                                                                let _e1607 = select(_e1585, _e1584, (_e1584 > _e1585));
-                                                                let _e1609 = select(_e1589, _e1588, (_e1588 > _e1589));
-                                                                let _e1611 = select(_e1609, _e1607, (_e1607 < _e1609));
-                                                                let _e1613 = select(_e1597, _e1611, (_e1611 < _e1597));
-                                                                let _e1614 = -(_e1595);
-                                                                let _e1620 = select(_e463, _e1605, (_e1605 > _e463));
-                                                                if (_e1620 > (_e1613 + (select(_e1614, _e1597, (_e1597 > _e1614)) * 0.0000019073523f))) {
-                                                                    phi_2520_ = type_28();
-                                                                    phi_2521_ = true;
+                                                                let _e1560 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] < _e1460[1][0]));
+                                                                let _e1564 = select(_e1460[1][0], _e1460[0][0], (_e1460[0][0] > _e1460[1][0]));
+                                                                let _e1568 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] < _e1460[1][1]));
+                                                                let _e1572 = select(_e1460[1][1], _e1460[0][1], (_e1460[0][1] > _e1460[1][1]));
+                                                                let _e1576 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] < _e1460[1][2]));
+                                                                let _e1580 = select(_e1460[1][2], _e1460[0][2], (_e1460[0][2] > _e1460[1][2]));
+                                                                let _e1585 = ((select(_e1460[2][0], _e1560, (_e1560 < _e1460[2][0])) - _e336) * _e341);
+                                                                let _e1586 = ((select(_e1460[2][0], _e1564, (_e1564 > _e1460[2][0])) - _e337) * _e341);
+                                                                let _e1589 = ((select(_e1460[2][1], _e1568, (_e1568 < _e1460[2][1])) - _e374) * _e379);
+                                                                let _e1590 = ((select(_e1460[2][1], _e1572, (_e1572 > _e1460[2][1])) - _e375) * _e379);
+                                                                let _e1593 = ((select(_e1460[2][2], _e1576, (_e1576 < _e1460[2][2])) - _e412) * _e417);
+                                                                let _e1594 = ((select(_e1460[2][2], _e1580, (_e1580 > _e1460[2][2])) - _e413) * _e417);
+                                                                let _e1596 = select(_e1594, _e1593, (_e1593 < _e1594));
+                                                                let _e1598 = select(_e1594, _e1593, (_e1593 > _e1594));
+                                                                let _e1600 = select(_e1586, _e1585, (_e1585 < _e1586));
+                                                                let _e1602 = select(_e1590, _e1589, (_e1589 < _e1590));
+                                                                let _e1604 = select(_e1602, _e1600, (_e1600 > _e1602));
+                                                                let _e1606 = select(_e1596, _e1604, (_e1604 > _e1596));
+                                                                let _e1608 = select(_e1586, _e1585, (_e1585 > _e1586));
+                                                                let _e1610 = select(_e1590, _e1589, (_e1589 > _e1590));
+                                                                let _e1612 = select(_e1610, _e1608, (_e1608 < _e1610));
+                                                                let _e1614 = select(_e1598, _e1612, (_e1612 < _e1598));
+                                                                let _e1615 = -(_e1596);
+                                                                let _e1621 = select(_e464, _e1606, (_e1606 > _e464));
+                                                                if (_e1621 > (_e1614 + (select(_e1615, _e1598, (_e1598 > _e1615)) * 0.0000019073523f))) {
+                                                                    phi_2518_ = type_28();
+                                                                    phi_2519_ = true;
                                                                 } else {
-                                                                    let _e1622 = (_e1620 > _e1024.member.member_1);
-                                                                    if _e1622 {
-                                                                        phi_2519_ = type_28();
+                                                                    let _e1623 = (_e1621 > _e1025.member.member_1);
+                                                                    if _e1623 {
+                                                                        phi_2517_ = type_28();
                                                                     } else {
-                                                                        let _e1623 = vec3<f32>(_e1459[0][0], _e1459[0][1], _e1459[0][2]);
-                                                                        let _e1624 = vec3<f32>(_e1459[1][0], _e1459[1][1], _e1459[1][2]);
-                                                                        let _e1625 = vec3<f32>(_e1459[2][0], _e1459[2][1], _e1459[2][2]);
-                                                                        let _e1626 = (_e1459[1][0] - _e1459[0][0]);
-                                                                        let _e1627 = (_e1459[1][1] - _e1459[0][1]);
-                                                                        let _e1628 = (_e1459[1][2] - _e1459[0][2]);
-                                                                        let _e1629 = vec3<f32>(_e1626, _e1627, _e1628);
-                                                                        let _e1630 = (_e1459[2][0] - _e1459[1][0]);
-                                                                        let _e1631 = (_e1459[2][1] - _e1459[1][1]);
-                                                                        let _e1632 = (_e1459[2][2] - _e1459[1][2]);
-                                                                        let _e1633 = vec3<f32>(_e1630, _e1631, _e1632);
-                                                                        let _e1634 = (_e1459[0][0] - _e1459[2][0]);
-                                                                        let _e1635 = (_e1459[0][1] - _e1459[2][1]);
-                                                                        let _e1636 = (_e1459[0][2] - _e1459[2][2]);
-                                                                        let _e1637 = vec3<f32>(_e1634, _e1635, _e1636);
-                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                        let _e1643 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                        let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                        let _e1648 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                        let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
-                                                                        let _e1656 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                        let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
-                                                                        let _e1661 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
-                                                                        let _e1663 = select(_e1661, _e1658, (_e1658 > _e1661));
-                                                                        let _e1666 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
-                                                                        let _e1669 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                        let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
-                                                                        let _e1674 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
-                                                                        let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                                                        let _e1678 = select(_e1663, _e1650, (_e1650 > _e1663));
-                                                                        let _e1680 = select(_e1676, _e1678, (_e1678 > _e1676));
-                                                                        if (_e1650 == _e1680) {
-                                                                            phi_2249_ = _e1487;
-                                                                            phi_2250_ = _e1484;
-                                                                            phi_2251_ = _e1474;
-                                                                            phi_2252_ = _e1471;
-                                                                            phi_2253_ = _e1623;
-                                                                            phi_2254_ = _e1637;
-                                                                            phi_2255_ = _e1633;
-                                                                            phi_2256_ = _e1629;
+                                                                        let _e1624 = vec3<f32>(_e1460[0][0], _e1460[0][1], _e1460[0][2]);
+                                                                        let _e1625 = vec3<f32>(_e1460[1][0], _e1460[1][1], _e1460[1][2]);
+                                                                        let _e1626 = vec3<f32>(_e1460[2][0], _e1460[2][1], _e1460[2][2]);
+                                                                        let _e1627 = (_e1460[1][0] - _e1460[0][0]);
+                                                                        let _e1628 = (_e1460[1][1] - _e1460[0][1]);
+                                                                        let _e1629 = (_e1460[1][2] - _e1460[0][2]);
+                                                                        let _e1630 = vec3<f32>(_e1627, _e1628, _e1629);
+                                                                        let _e1631 = (_e1460[2][0] - _e1460[1][0]);
+                                                                        let _e1632 = (_e1460[2][1] - _e1460[1][1]);
+                                                                        let _e1633 = (_e1460[2][2] - _e1460[1][2]);
+                                                                        let _e1634 = vec3<f32>(_e1631, _e1632, _e1633);
+                                                                        let _e1635 = (_e1460[0][0] - _e1460[2][0]);
+                                                                        let _e1636 = (_e1460[0][1] - _e1460[2][1]);
+                                                                        let _e1637 = (_e1460[0][2] - _e1460[2][2]);
+                                                                        let _e1638 = vec3<f32>(_e1635, _e1636, _e1637);
+                                                                        let _e1641 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
+                                                                        let _e1644 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
+                                                                        let _e1646 = select(_e1644, _e1641, (_e1641 > _e1644));
+                                                                        let _e1649 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
+                                                                        let _e1651 = select(_e1649, _e1646, (_e1646 > _e1649));
+                                                                        let _e1654 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
+                                                                        let _e1657 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
+                                                                        let _e1659 = select(_e1657, _e1654, (_e1654 > _e1657));
+                                                                        let _e1662 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
+                                                                        let _e1664 = select(_e1662, _e1659, (_e1659 > _e1662));
+                                                                        let _e1667 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
+                                                                        let _e1670 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
+                                                                        let _e1672 = select(_e1670, _e1667, (_e1667 > _e1670));
+                                                                        let _e1675 = bitcast<f32>((bitcast<u32>(_e1637) & 2147483647u));
+                                                                        let _e1677 = select(_e1675, _e1672, (_e1672 > _e1675));
+                                                                        let _e1679 = select(_e1664, _e1651, (_e1651 > _e1664));
+                                                                        let _e1681 = select(_e1677, _e1679, (_e1679 > _e1677));
+                                                                        if (_e1651 == _e1681) {
+                                                                            phi_2250_ = _e1488;
+                                                                            phi_2251_ = _e1485;
+                                                                            phi_2252_ = _e1475;
+                                                                            phi_2253_ = _e1472;
+                                                                            phi_2254_ = _e1624;
+                                                                            phi_2255_ = _e1638;
+                                                                            phi_2256_ = _e1634;
+                                                                            phi_2257_ = _e1630;
                                                                         } else {
-                                                                            let _e1682 = (_e1663 == _e1680);
-                                                                            let _e1687 = vec3(_e1682);
-                                                                            phi_2249_ = select(_e1474, _e1500, _e1682);
-                                                                            phi_2250_ = select(_e1471, _e1497, _e1682);
-                                                                            phi_2251_ = select(_e1500, _e1487, _e1682);
-                                                                            phi_2252_ = select(_e1497, _e1484, _e1682);
-                                                                            phi_2253_ = select(_e1625, _e1624, _e1687);
-                                                                            phi_2254_ = select(_e1633, _e1629, _e1687);
-                                                                            phi_2255_ = select(_e1629, _e1637, _e1687);
-                                                                            phi_2256_ = select(_e1637, _e1633, _e1687);
+                                                                            let _e1683 = (_e1664 == _e1681);
+                                                                            let _e1688 = vec3(_e1683);
+                                                                            phi_2250_ = select(_e1475, _e1501, _e1683);
+                                                                            phi_2251_ = select(_e1472, _e1498, _e1683);
+                                                                            phi_2252_ = select(_e1501, _e1488, _e1683);
+                                                                            phi_2253_ = select(_e1498, _e1485, _e1683);
+                                                                            phi_2254_ = select(_e1626, _e1625, _e1688);
+                                                                            phi_2255_ = select(_e1634, _e1630, _e1688);
+                                                                            phi_2256_ = select(_e1630, _e1638, _e1688);
+                                                                            phi_2257_ = select(_e1638, _e1634, _e1688);
                                                                         }
-                                                                        let _e1693 = phi_2249_;
-                                                                        let _e1695 = phi_2250_;
-                                                                        let _e1697 = phi_2251_;
-                                                                        let _e1699 = phi_2252_;
-                                                                        let _e1701 = phi_2253_;
-                                                                        let _e1703 = phi_2254_;
-                                                                        let _e1705 = phi_2255_;
-                                                                        let _e1707 = phi_2256_;
-                                                                        let _e1714 = ((_e1705.y * _e1703.z) - (_e1703.y * _e1705.z));
-                                                                        let _e1719 = ((_e1705.z * _e1703.x) - (_e1703.z * _e1705.x));
-                                                                        let _e1722 = ((_e1705.x * _e1703.y) - (_e1703.x * _e1705.y));
-                                                                        if (_e1522 >= _e1526) {
-                                                                            phi_2287_ = select(true, false, (_e1522 >= _e1530));
+                                                                        let _e1694 = phi_2250_;
+                                                                        let _e1696 = phi_2251_;
+                                                                        let _e1698 = phi_2252_;
+                                                                        let _e1700 = phi_2253_;
+                                                                        let _e1702 = phi_2254_;
+                                                                        let _e1704 = phi_2255_;
+                                                                        let _e1706 = phi_2256_;
+                                                                        let _e1708 = phi_2257_;
+                                                                        let _e1715 = ((_e1706.y * _e1704.z) - (_e1704.y * _e1706.z));
+                                                                        let _e1720 = ((_e1706.z * _e1704.x) - (_e1704.z * _e1706.x));
+                                                                        let _e1723 = ((_e1706.x * _e1704.y) - (_e1704.x * _e1706.y));
+                                                                        if (_e1523 >= _e1527) {
+                                                                            phi_2288_ = select(true, false, (_e1523 >= _e1531));
                                                                         } else {
-                                                                            phi_2287_ = true;
+                                                                            phi_2288_ = true;
                                                                         }
-                                                                        let _e1727 = phi_2287_;
-                                                                        if _e1727 {
-                                                                            phi_2296_ = select(_e1625, _e1624, vec3((_e1526 >= _e1530)));
+                                                                        let _e1728 = phi_2288_;
+                                                                        if _e1728 {
+                                                                            phi_2297_ = select(_e1626, _e1625, vec3((_e1527 >= _e1531)));
                                                                         } else {
-                                                                            phi_2296_ = _e1623;
+                                                                            phi_2297_ = _e1624;
                                                                         }
-                                                                        let _e1732 = phi_2296_;
-                                                                        let _e1737 = (((_e1714 * _e337) + (_e1719 * _e375)) + (_e1722 * _e413));
-                                                                        let _e1748 = (((_e1714 * (_e1732.x - _e312)) + (_e1719 * (_e1732.y - _e351))) + (_e1722 * (_e1732.z - _e389)));
-                                                                        let _e1750 = (_e1695 - _e1699);
-                                                                        let _e1751 = (_e1693 - _e1697);
-                                                                        let _e1759 = (-(((_e1699 * _e1750) + (_e1697 * _e1751))) / ((_e1750 * _e1750) + (_e1751 * _e1751)));
+                                                                        let _e1733 = phi_2297_;
+                                                                        let _e1744 = (((_e1715 * (_e1733.x - _e313)) + (_e1720 * (_e1733.y - _e352))) + (_e1723 * (_e1733.z - _e390)));
+                                                                        let _e1749 = (((_e1715 * _e338) + (_e1720 * _e376)) + (_e1723 * _e414));
+                                                                        let _e1750 = (_e1696 - _e1700);
+                                                                        let _e1751 = (_e1694 - _e1698);
+                                                                        let _e1759 = (-(((_e1700 * _e1750) + (_e1698 * _e1751))) / ((_e1750 * _e1750) + (_e1751 * _e1751)));
                                                                         let _e1761 = select(1f, _e1759, (_e1759 < 1f));
                                                                         let _e1763 = select(0f, _e1761, (_e1761 > 0f));
-                                                                        let _e1776 = ((_e1701.x + (_e1707.x * _e1763)) - _e312);
-                                                                        let _e1777 = ((_e1701.y + (_e1707.y * _e1763)) - _e351);
-                                                                        let _e1778 = ((_e1701.z + (_e1707.z * _e1763)) - _e389);
-                                                                        let _e1779 = (_e1778 / _e413);
+                                                                        let _e1776 = ((_e1702.x + (_e1708.x * _e1763)) - _e313);
+                                                                        let _e1777 = ((_e1702.y + (_e1708.y * _e1763)) - _e352);
+                                                                        let _e1778 = ((_e1702.z + (_e1708.z * _e1763)) - _e390);
+                                                                        let _e1779 = (_e1778 / _e414);
                                                                         let _e1791 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
                                                                         let _e1794 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
                                                                         let _e1796 = select(_e1794, _e1791, (_e1791 > _e1794));
                                                                         let _e1799 = bitcast<f32>((bitcast<u32>(_e1778) & 2147483647u));
                                                                         let _e1801 = select(_e1799, _e1796, (_e1796 > _e1799));
-                                                                        let _e1807 = bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u));
-                                                                        let _e1810 = bitcast<f32>((bitcast<u32>(_e1719) & 2147483647u));
+                                                                        let _e1807 = bitcast<f32>((bitcast<u32>(_e1715) & 2147483647u));
+                                                                        let _e1810 = bitcast<f32>((bitcast<u32>(_e1720) & 2147483647u));
                                                                         let _e1812 = select(_e1810, _e1807, (_e1807 > _e1810));
-                                                                        let _e1815 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1714 * _e1776) + (_e1719 * _e1777)) + (_e1722 * _e1778)) - _e1748)) & 2147483647u)) <= ((0.0000009536743f * select(_e1680, _e1801, (_e1801 > _e1680))) * select(_e1815, _e1812, (_e1812 > _e1815)))) {
-                                                                            let _e1825 = bitcast<f32>((bitcast<u32>(_e1705.x) & 2147483647u));
-                                                                            let _e1828 = bitcast<f32>((bitcast<u32>(_e1705.y) & 2147483647u));
+                                                                        let _e1815 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1715 * _e1776) + (_e1720 * _e1777)) + (_e1723 * _e1778)) - _e1744)) & 2147483647u)) <= ((0.0000009536743f * select(_e1681, _e1801, (_e1801 > _e1681))) * select(_e1815, _e1812, (_e1812 > _e1815)))) {
+                                                                            let _e1825 = bitcast<f32>((bitcast<u32>(_e1706.x) & 2147483647u));
+                                                                            let _e1828 = bitcast<f32>((bitcast<u32>(_e1706.y) & 2147483647u));
                                                                             let _e1830 = select(_e1828, _e1825, (_e1825 > _e1828));
-                                                                            let _e1833 = bitcast<f32>((bitcast<u32>(_e1705.z) & 2147483647u));
-                                                                            let _e1839 = bitcast<f32>((bitcast<u32>(_e1703.x) & 2147483647u));
-                                                                            let _e1842 = bitcast<f32>((bitcast<u32>(_e1703.y) & 2147483647u));
+                                                                            let _e1833 = bitcast<f32>((bitcast<u32>(_e1706.z) & 2147483647u));
+                                                                            let _e1839 = bitcast<f32>((bitcast<u32>(_e1704.x) & 2147483647u));
+                                                                            let _e1842 = bitcast<f32>((bitcast<u32>(_e1704.y) & 2147483647u));
                                                                             let _e1844 = select(_e1842, _e1839, (_e1839 > _e1842));
-                                                                            let _e1847 = bitcast<f32>((bitcast<u32>(_e1703.z) & 2147483647u));
-                                                                            phi_2463_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1737) & 2147483647u)) > ((0.0000038146973f * select(_e1833, _e1830, (_e1830 > _e1833))) * select(_e1847, _e1844, (_e1844 > _e1847)))));
-                                                                        } else {
-                                                                            phi_2463_ = true;
-                                                                        }
-                                                                        let _e1854 = phi_2463_;
-                                                                        if _e1854 {
-                                                                            let _e1865 = ((((_e1714 * (_e1776 - (_e337 * _e1779))) + (_e1719 * (_e1777 - (_e375 * _e1779)))) + (_e1722 * (_e1778 - _e1778))) / _e1737);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1865) & 2147483647u)) <= _e1680) {
-                                                                                phi_2487_ = (_e1779 + _e1865);
+                                                                            let _e1847 = bitcast<f32>((bitcast<u32>(_e1704.z) & 2147483647u));
+                                                                            let _e1851 = (bitcast<f32>((bitcast<u32>(_e1749) & 2147483647u)) > ((0.0000038146973f * select(_e1833, _e1830, (_e1830 > _e1833))) * select(_e1847, _e1844, (_e1844 > _e1847))));
+                                                                            if _e1851 {
+                                                                                phi_2462_ = (_e1744 / _e1749);
                                                                             } else {
-                                                                                phi_2487_ = _e1779;
+                                                                                phi_2462_ = f32();
                                                                             }
-                                                                            let _e1872 = phi_2487_;
-                                                                            phi_2488_ = _e1872;
+                                                                            let _e1854 = phi_2462_;
+                                                                            phi_2464_ = _e1854;
+                                                                            phi_2465_ = select(true, false, _e1851);
                                                                         } else {
-                                                                            phi_2488_ = (_e1748 / _e1737);
+                                                                            phi_2464_ = f32();
+                                                                            phi_2465_ = true;
                                                                         }
-                                                                        let _e1874 = phi_2488_;
-                                                                        let _e1876 = select(_e1613, _e1874, (_e1874 < _e1613));
-                                                                        let _e1878 = select(_e1605, _e1876, (_e1876 > _e1605));
-                                                                        if (_e1878 >= _e463) {
-                                                                            let _e1880 = (_e1878 <= _e1024.member.member_1);
-                                                                            if _e1880 {
-                                                                                let _e1881 = (1f / _e1532);
-                                                                                phi_2511_ = type_28(_e1878, (_e1526 * _e1881), (_e1530 * _e1881), _e1090);
+                                                                        let _e1857 = phi_2464_;
+                                                                        let _e1859 = phi_2465_;
+                                                                        if _e1859 {
+                                                                            let _e1867 = (((_e1715 * (_e1776 - (_e338 * _e1779))) + (_e1720 * (_e1777 - (_e376 * _e1779)))) / _e1749);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1867) & 2147483647u)) <= _e1681) {
+                                                                                phi_2485_ = (_e1779 + _e1867);
                                                                             } else {
-                                                                                phi_2511_ = type_28();
+                                                                                phi_2485_ = _e1779;
                                                                             }
-                                                                            let _e1886 = phi_2511_;
-                                                                            phi_2513_ = _e1886;
-                                                                            phi_2514_ = select(true, false, _e1880);
+                                                                            let _e1874 = phi_2485_;
+                                                                            phi_2486_ = _e1874;
                                                                         } else {
-                                                                            phi_2513_ = type_28();
-                                                                            phi_2514_ = true;
+                                                                            phi_2486_ = _e1857;
                                                                         }
-                                                                        let _e1889 = phi_2513_;
-                                                                        let _e1891 = phi_2514_;
-                                                                        if _e1891 {
-                                                                            phi_2518_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1876 = phi_2486_;
+                                                                        let _e1878 = select(_e1614, _e1876, (_e1876 < _e1614));
+                                                                        let _e1880 = select(_e1606, _e1878, (_e1878 > _e1606));
+                                                                        if (_e1880 >= _e464) {
+                                                                            let _e1882 = (_e1880 <= _e1025.member.member_1);
+                                                                            if _e1882 {
+                                                                                let _e1883 = (1f / _e1533);
+                                                                                phi_2509_ = type_28(_e1880, (_e1527 * _e1883), (_e1531 * _e1883), _e1091);
+                                                                            } else {
+                                                                                phi_2509_ = type_28();
+                                                                            }
+                                                                            let _e1888 = phi_2509_;
+                                                                            phi_2511_ = _e1888;
+                                                                            phi_2512_ = select(true, false, _e1882);
                                                                         } else {
-                                                                            phi_2518_ = _e1889;
+                                                                            phi_2511_ = type_28();
+                                                                            phi_2512_ = true;
                                                                         }
-                                                                        let _e1893 = phi_2518_;
-                                                                        phi_2519_ = _e1893;
+                                                                        let _e1891 = phi_2511_;
+                                                                        let _e1893 = phi_2512_;
+                                                                        if _e1893 {
+                                                                            phi_2516_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2516_ = _e1891;
+                                                                        }
+                                                                        let _e1895 = phi_2516_;
+                                                                        phi_2517_ = _e1895;
                                                                     }
-                                                                    let _e1895 = phi_2519_;
-                                                                    phi_2520_ = _e1895;
-                                                                    phi_2521_ = _e1622;
+                                                                    let _e1897 = phi_2517_;
+                                                                    phi_2518_ = _e1897;
+                                                                    phi_2519_ = _e1623;
                                                                 }
-                                                                let _e1897 = phi_2520_;
-                                                                let _e1899 = phi_2521_;
-                                                                phi_2525_ = _e1897;
-                                                                phi_2526_ = _e1899;
+                                                                let _e1899 = phi_2518_;
+                                                                let _e1901 = phi_2519_;
+                                                                phi_2523_ = _e1899;
+                                                                phi_2524_ = _e1901;
                                                             }
-                                                            let _e1901 = phi_2525_;
-                                                            let _e1903 = phi_2526_;
-                                                            phi_2527_ = _e1901;
-                                                            phi_2528_ = _e1557;
-                                                            phi_2529_ = _e1903;
+                                                            let _e1903 = phi_2523_;
+                                                            let _e1905 = phi_2524_;
+                                                            phi_2525_ = _e1903;
+                                                            phi_2526_ = _e1558;
+                                                            phi_2527_ = _e1905;
                                                         }
-                                                        let _e1905 = phi_2527_;
-                                                        let _e1907 = phi_2528_;
-                                                        let _e1909 = phi_2529_;
-                                                        phi_2530_ = _e1905;
-                                                        phi_2531_ = _e1907;
-                                                        phi_2532_ = _e1909;
+                                                        let _e1907 = phi_2525_;
+                                                        let _e1909 = phi_2526_;
+                                                        let _e1911 = phi_2527_;
+                                                        phi_2528_ = _e1907;
+                                                        phi_2529_ = _e1909;
+                                                        phi_2530_ = _e1911;
                                                     }
-                                                    let _e1911 = phi_2530_;
-                                                    let _e1913 = phi_2531_;
-                                                    let _e1915 = phi_2532_;
-                                                    phi_2540_ = _e1911;
-                                                    phi_2541_ = select(_e1915, true, _e1913);
+                                                    let _e1913 = phi_2528_;
+                                                    let _e1915 = phi_2529_;
+                                                    let _e1917 = phi_2530_;
+                                                    phi_2538_ = _e1913;
+                                                    phi_2539_ = select(_e1917, true, _e1915);
                                                 } else {
-                                                    phi_2540_ = type_28();
-                                                    phi_2541_ = true;
+                                                    phi_2538_ = type_28();
+                                                    phi_2539_ = true;
                                                 }
-                                                let _e1918 = phi_2540_;
-                                                let _e1920 = phi_2541_;
-                                                if _e1920 {
-                                                    phi_2545_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1920 = phi_2538_;
+                                                let _e1922 = phi_2539_;
+                                                if _e1922 {
+                                                    phi_2543_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2545_ = _e1918;
+                                                    phi_2543_ = _e1920;
                                                 }
-                                                let _e1922 = phi_2545_;
-                                                if (_e1922.member_3 != 4294967295u) {
-                                                    if (_e1090 != 4294967295u) {
-                                                        if (_e1922.member < _e1024.member.member.member) {
-                                                            phi_2571_ = true;
+                                                let _e1924 = phi_2543_;
+                                                if (_e1924.member_3 != 4294967295u) {
+                                                    if (_e1091 != 4294967295u) {
+                                                        if (_e1924.member < _e1025.member.member.member) {
+                                                            phi_2569_ = true;
                                                         } else {
-                                                            if (_e1922.member == _e1024.member.member.member) {
-                                                                phi_2570_ = (_e1922.member_3 < _e1024.member.member.member_3);
+                                                            if (_e1924.member == _e1025.member.member.member) {
+                                                                phi_2568_ = (_e1924.member_3 < _e1025.member.member.member_3);
                                                             } else {
-                                                                phi_2570_ = false;
+                                                                phi_2568_ = false;
                                                             }
-                                                            let _e1937 = phi_2570_;
-                                                            phi_2571_ = _e1937;
+                                                            let _e1939 = phi_2568_;
+                                                            phi_2569_ = _e1939;
                                                         }
-                                                        let _e1939 = phi_2571_;
-                                                        if _e1939 {
-                                                            phi_2578_ = type_43(type_36(_e1922, _e1922.member), _e1051.member_1, _e1051.member_2);
+                                                        let _e1941 = phi_2569_;
+                                                        if _e1941 {
+                                                            phi_2576_ = type_43(type_36(_e1924, _e1924.member), _e1052.member_1, _e1052.member_2);
                                                         } else {
-                                                            phi_2578_ = _e1051;
+                                                            phi_2576_ = _e1052;
                                                         }
-                                                        let _e1946 = phi_2578_;
-                                                        phi_2579_ = _e1946;
+                                                        let _e1948 = phi_2576_;
+                                                        phi_2577_ = _e1948;
                                                     } else {
-                                                        phi_2579_ = _e1051;
+                                                        phi_2577_ = _e1052;
                                                     }
-                                                    let _e1948 = phi_2579_;
-                                                    phi_2580_ = _e1948;
+                                                    let _e1950 = phi_2577_;
+                                                    phi_2578_ = _e1950;
                                                 } else {
-                                                    phi_2580_ = _e1051;
+                                                    phi_2578_ = _e1052;
                                                 }
-                                                let _e1950 = phi_2580_;
-                                                phi_981_ = _e1950;
+                                                let _e1952 = phi_2578_;
+                                                phi_982_ = _e1952;
                                             } else {
-                                                phi_981_ = type_43();
+                                                phi_982_ = type_43();
                                             }
-                                            let _e1952 = phi_981_;
+                                            let _e1954 = phi_982_;
                                             continue;
                                             continuing {
-                                                phi_980_ = _e1952;
-                                                phi_983_ = _e1039;
-                                                phi_4043_ = _e506;
-                                                break if !(_e1045);
+                                                phi_981_ = _e1954;
+                                                phi_984_ = _e1040;
+                                                phi_4041_ = _e507;
+                                                break if !(_e1046);
                                             }
                                         }
-                                        let _e1955 = phi_4043_;
-                                        phi_4232_ = _e1955;
-                                        if _e1955 {
+                                        let _e1957 = phi_4041_;
+                                        phi_4230_ = _e1957;
+                                        if _e1957 {
                                             break;
                                         }
-                                        phi_4236_ = _e1955;
-                                        let _e2159 = local_12;
-                                        phi_3823_ = _e2159;
-                                        phi_3824_ = _e548;
-                                        phi_3825_ = false;
-                                        phi_3826_ = _e552;
+                                        phi_4234_ = _e1957;
+                                        let _e2163 = local_12;
+                                        phi_3821_ = _e2163;
+                                        phi_3822_ = _e549;
+                                        phi_3823_ = false;
+                                        phi_3824_ = _e553;
                                     } else {
-                                        if (_e548.member_1 >= _e92) {
-                                            phi_3379_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e549.member_1 >= _e93) {
+                                            phi_3377_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e548.member_1 < _e92) {
+                                            if (_e549.member_1 < _e93) {
                                             } else {
-                                                phi_4232_ = true;
+                                                phi_4230_ = true;
                                                 break;
                                             }
-                                            let _e571 = ((1u + _e263) % 4u);
-                                            if (_e571 < 4u) {
+                                            let _e572 = ((1u + _e264) % 4u);
+                                            if (_e572 < 4u) {
                                             } else {
-                                                phi_4232_ = true;
+                                                phi_4230_ = true;
                                                 break;
                                             }
-                                            let _e576 = global_3.member[_e548.member_1][_e571];
-                                            let _e578 = (_e576 >> bitcast<u32>(11u));
-                                            let _e580 = ((1u + _e262) % 4u);
-                                            if (_e580 < 4u) {
+                                            let _e577 = global_3.member[_e549.member_1][_e572];
+                                            let _e579 = (_e577 >> bitcast<u32>(11u));
+                                            let _e581 = ((1u + _e263) % 4u);
+                                            if (_e581 < 4u) {
                                             } else {
-                                                phi_4232_ = true;
+                                                phi_4230_ = true;
                                                 break;
                                             }
-                                            let _e585 = global_3.member[_e548.member_1][_e580];
-                                            let _e587 = (_e585 >> bitcast<u32>(11u));
-                                            let _e589 = ((1u + _e264) % 4u);
-                                            if (_e589 < 4u) {
+                                            let _e586 = global_3.member[_e549.member_1][_e581];
+                                            let _e588 = (_e586 >> bitcast<u32>(11u));
+                                            let _e590 = ((1u + _e265) % 4u);
+                                            if (_e590 < 4u) {
                                             } else {
-                                                phi_4232_ = true;
+                                                phi_4230_ = true;
                                                 break;
                                             }
-                                            let _e594 = global_3.member[_e548.member_1][_e589];
-                                            let _e596 = (_e594 >> bitcast<u32>(11u));
-                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.x - _e548.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.y - _e548.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.z - _e548.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e623 = select(_e143, _e619, (_e619 > _e143));
-                                            let _e625 = select(_e143, _e620, (_e620 > _e143));
-                                            let _e627 = select(_e143, _e621, (_e621 > _e143));
-                                            let _e652 = bitcast<u32>((f32(bitcast<i32>((_e576 & 1023u))) * _e623));
-                                            let _e657 = (bitcast<i32>((_e576 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e660 = bitcast<f32>((_e652 & bitcast<u32>(_e657)));
-                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e585 & 1023u))) * _e625));
-                                            let _e666 = (bitcast<i32>((_e585 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e594 & 1023u))) * _e627));
-                                            let _e675 = (bitcast<i32>((_e594 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                            let _e682 = bitcast<f32>((_e652 & bitcast<u32>(~(_e657))));
-                                            let _e686 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                            let _e690 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                            let _e691 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e623));
-                                            let _e696 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e699 = bitcast<f32>((_e691 & bitcast<u32>(_e696)));
-                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e625));
-                                            let _e705 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e596 & 1023u))) * _e627));
-                                            let _e714 = (bitcast<i32>((_e596 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                            let _e721 = bitcast<f32>((_e691 & bitcast<u32>(~(_e696))));
-                                            let _e725 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                            let _e729 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                            let _e730 = (_e548.member.member.x + _e660);
-                                            let _e731 = (_e548.member.member.y + _e669);
-                                            let _e732 = (_e548.member.member.z + _e678);
-                                            let _e735 = (_e548.member.member_1.x - _e699);
-                                            let _e736 = (_e548.member.member_1.y - _e708);
-                                            let _e737 = (_e548.member.member_1.z - _e717);
-                                            let _e756 = (_e735 - _e730);
+                                            let _e595 = global_3.member[_e549.member_1][_e590];
+                                            let _e597 = (_e595 >> bitcast<u32>(11u));
+                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.x - _e549.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.y - _e549.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.z - _e549.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e624 = select(_e144, _e620, (_e620 > _e144));
+                                            let _e626 = select(_e144, _e621, (_e621 > _e144));
+                                            let _e628 = select(_e144, _e622, (_e622 > _e144));
+                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e577 & 1023u))) * _e624));
+                                            let _e658 = (bitcast<i32>((_e577 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e586 & 1023u))) * _e626));
+                                            let _e667 = (bitcast<i32>((_e586 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e595 & 1023u))) * _e628));
+                                            let _e676 = (bitcast<i32>((_e595 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
+                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e624));
+                                            let _e697 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e588 & 1023u))) * _e626));
+                                            let _e706 = (bitcast<i32>((_e588 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 1023u))) * _e628));
+                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
+                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                            let _e731 = (_e549.member.member.x + _e661);
+                                            let _e732 = (_e549.member.member.y + _e670);
+                                            let _e733 = (_e549.member.member.z + _e679);
+                                            let _e736 = (_e549.member.member_1.x - _e700);
+                                            let _e737 = (_e549.member.member_1.y - _e709);
+                                            let _e738 = (_e549.member.member_1.z - _e718);
                                             let _e757 = (_e736 - _e731);
                                             let _e758 = (_e737 - _e732);
-                                            let _e760 = select(_e757, _e756, (_e756 > _e757));
-                                            let _e762 = select(_e758, _e760, (_e760 > _e758));
-                                            if (_e762 < (1024f * _e143)) {
-                                                phi_3080_ = 0u;
+                                            let _e759 = (_e738 - _e733);
+                                            let _e761 = select(_e758, _e757, (_e757 > _e758));
+                                            let _e763 = select(_e759, _e761, (_e761 > _e759));
+                                            if (_e763 < (1024f * _e144)) {
+                                                phi_3078_ = 0u;
                                             } else {
-                                                phi_3080_ = select(2u, 1u, (_e762 < (2097152f * _e143)));
+                                                phi_3078_ = select(2u, 1u, (_e763 < (2097152f * _e144)));
                                             }
-                                            let _e769 = phi_3080_;
-                                            switch bitcast<i32>(_e769) {
+                                            let _e770 = phi_3078_;
+                                            switch bitcast<i32>(_e770) {
                                                 case 0: {
-                                                    phi_3086_ = 1u;
+                                                    phi_3084_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3086_ = 2u;
+                                                    phi_3084_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3086_ = 3u;
+                                                    phi_3084_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3086_ = u32();
+                                                    phi_3084_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e772 = phi_3086_;
-                                            let _e778 = global_3.member[_e548.member_1][0u];
-                                            let _e782 = global_3.member[_e548.member_1][1u];
-                                            let _e786 = global_3.member[_e548.member_1][2u];
-                                            let _e790 = global_3.member[_e548.member_1][3u];
-                                            let _e802 = (((_e782 >> bitcast<u32>(22i)) | ((_e786 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e790 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e803 = (_e778 & 268435455u);
-                                            let _e804 = (_e802 & 268435455u);
-                                            let _e807 = ((_e778 >> bitcast<u32>(28u)) & 7u);
-                                            let _e815 = ((_e778 >> bitcast<u32>(31i)) | (((_e802 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e816 = (_e807 != 0u);
-                                            if (_e807 == 0u) {
-                                                phi_3341_ = _e803;
+                                            let _e773 = phi_3084_;
+                                            let _e779 = global_3.member[_e549.member_1][0u];
+                                            let _e783 = global_3.member[_e549.member_1][1u];
+                                            let _e787 = global_3.member[_e549.member_1][2u];
+                                            let _e791 = global_3.member[_e549.member_1][3u];
+                                            let _e803 = (((_e783 >> bitcast<u32>(22i)) | ((_e787 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e791 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e804 = (_e779 & 268435455u);
+                                            let _e805 = (_e803 & 268435455u);
+                                            let _e808 = ((_e779 >> bitcast<u32>(28u)) & 7u);
+                                            let _e816 = ((_e779 >> bitcast<u32>(31i)) | (((_e803 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e817 = (_e808 != 0u);
+                                            if (_e808 == 0u) {
+                                                phi_3339_ = _e804;
                                             } else {
-                                                if (_e807 == 7u) {
-                                                    phi_3340_ = 2147483648u;
+                                                if (_e808 == 7u) {
+                                                    phi_3338_ = 2147483648u;
                                                 } else {
-                                                    phi_3340_ = ((2147483648u | (_e807 << bitcast<u32>(28u))) | (_e804 & 268435455u));
+                                                    phi_3338_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (_e805 & 268435455u));
                                                 }
-                                                let _e825 = phi_3340_;
-                                                phi_3341_ = _e825;
+                                                let _e826 = phi_3338_;
+                                                phi_3339_ = _e826;
                                             }
-                                            let _e827 = phi_3341_;
-                                            if _e816 {
-                                                let _e828 = (_e807 != 7u);
-                                                if _e828 {
-                                                    phi_3351_ = (_e804 + (_e807 * ((3u * _e772) + 1u)));
+                                            let _e828 = phi_3339_;
+                                            if _e817 {
+                                                let _e829 = (_e808 != 7u);
+                                                if _e829 {
+                                                    phi_3349_ = (_e805 + (_e808 * ((3u * _e773) + 1u)));
                                                 } else {
-                                                    phi_3351_ = u32();
+                                                    phi_3349_ = u32();
                                                 }
-                                                let _e832 = phi_3351_;
-                                                phi_3353_ = _e832;
-                                                phi_3354_ = select(true, false, _e828);
+                                                let _e833 = phi_3349_;
+                                                phi_3351_ = _e833;
+                                                phi_3352_ = select(true, false, _e829);
                                             } else {
-                                                phi_3353_ = u32();
-                                                phi_3354_ = true;
+                                                phi_3351_ = u32();
+                                                phi_3352_ = true;
                                             }
-                                            let _e835 = phi_3353_;
-                                            let _e837 = phi_3354_;
-                                            if (_e815 == 0u) {
-                                                phi_3375_ = (_e803 + select(0u, 1u, !(_e816)));
+                                            let _e836 = phi_3351_;
+                                            let _e838 = phi_3352_;
+                                            if (_e816 == 0u) {
+                                                phi_3373_ = (_e804 + select(0u, 1u, !(_e817)));
                                             } else {
-                                                if (_e815 == 7u) {
-                                                    phi_3374_ = 2147483648u;
+                                                if (_e816 == 7u) {
+                                                    phi_3372_ = 2147483648u;
                                                 } else {
-                                                    phi_3374_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (select(_e835, _e804, _e837) & 268435455u));
+                                                    phi_3372_ = ((2147483648u | (_e816 << bitcast<u32>(28u))) | (select(_e836, _e805, _e838) & 268435455u));
                                                 }
-                                                let _e850 = phi_3374_;
-                                                phi_3375_ = _e850;
+                                                let _e851 = phi_3372_;
+                                                phi_3373_ = _e851;
                                             }
-                                            let _e852 = phi_3375_;
-                                            phi_3379_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e730, (_e548.member.member.x + _e682), _e735, (_e548.member.member_1.x - _e721)), vec4<f32>(_e731, (_e548.member.member.y + _e686), _e736, (_e548.member.member_1.y - _e725)), vec4<f32>(_e732, (_e548.member.member.z + _e690), _e737, (_e548.member.member_1.z - _e729))), type_50(type_32((_e548.member.member + vec4<f32>(_e660, _e669, _e678, 0f)), (_e548.member.member_1 - vec4<f32>(_e699, _e708, _e717, 0f))), _e827), type_50(type_32((_e548.member.member + vec4<f32>(_e682, _e686, _e690, 0f)), (_e548.member.member_1 - vec4<f32>(_e721, _e725, _e729, 0f))), _e852));
+                                            let _e853 = phi_3373_;
+                                            phi_3377_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e731, (_e549.member.member.x + _e683), _e736, (_e549.member.member_1.x - _e722)), vec4<f32>(_e732, (_e549.member.member.y + _e687), _e737, (_e549.member.member_1.y - _e726)), vec4<f32>(_e733, (_e549.member.member.z + _e691), _e738, (_e549.member.member_1.z - _e730))), type_50(type_32((_e549.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e549.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e828), type_50(type_32((_e549.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e549.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e853));
                                         }
-                                        let _e857 = phi_3379_;
-                                        let _e870 = ((_e857.member[0].x - _e335) * _e340);
-                                        let _e871 = ((_e857.member[0].y - _e335) * _e340);
-                                        let _e872 = ((_e857.member[0].z - _e336) * _e340);
-                                        let _e873 = ((_e857.member[0].w - _e336) * _e340);
-                                        let _e883 = ((_e857.member[1].x - _e373) * _e378);
-                                        let _e884 = ((_e857.member[1].y - _e373) * _e378);
-                                        let _e885 = ((_e857.member[1].z - _e374) * _e378);
-                                        let _e886 = ((_e857.member[1].w - _e374) * _e378);
-                                        let _e896 = ((_e857.member[2].x - _e411) * _e416);
-                                        let _e897 = ((_e857.member[2].y - _e411) * _e416);
-                                        let _e898 = ((_e857.member[2].z - _e412) * _e416);
-                                        let _e899 = ((_e857.member[2].w - _e412) * _e416);
-                                        let _e901 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e903 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e905 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e907 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e909 = select(_e872, _e870, (_e870 < _e872));
-                                        let _e911 = select(_e873, _e871, (_e871 < _e873));
-                                        let _e913 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e915 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e917 = select(_e913, _e909, (_e909 > _e913));
-                                        let _e919 = select(_e915, _e911, (_e911 > _e915));
-                                        let _e921 = select(_e901, _e917, (_e917 > _e901));
-                                        let _e923 = select(_e903, _e919, (_e919 > _e903));
-                                        let _e925 = select(_e872, _e870, (_e870 > _e872));
-                                        let _e927 = select(_e873, _e871, (_e871 > _e873));
-                                        let _e929 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e931 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e933 = select(_e929, _e925, (_e925 < _e929));
-                                        let _e935 = select(_e931, _e927, (_e927 < _e931));
-                                        let _e940 = -(_e901);
-                                        let _e941 = -(_e903);
-                                        let _e948 = (select(_e905, _e933, (_e933 < _e905)) + (select(_e940, _e905, (_e905 > _e940)) * 0.0000019073523f));
-                                        let _e949 = (select(_e907, _e935, (_e935 < _e907)) + (select(_e941, _e907, (_e907 > _e941)) * 0.0000019073523f));
-                                        let _e951 = select(_e463, _e921, (_e921 > _e463));
-                                        let _e953 = select(_e463, _e923, (_e923 > _e463));
-                                        let _e958 = (_e951 <= select(_e508.member.member_1, _e948, (_e948 < _e508.member.member_1)));
-                                        let _e959 = (_e953 <= select(_e508.member.member_1, _e949, (_e949 < _e508.member.member_1)));
-                                        let _e960 = (_e951 <= _e953);
-                                        if _e958 {
+                                        let _e858 = phi_3377_;
+                                        let _e871 = ((_e858.member[0].x - _e336) * _e341);
+                                        let _e872 = ((_e858.member[0].y - _e336) * _e341);
+                                        let _e873 = ((_e858.member[0].z - _e337) * _e341);
+                                        let _e874 = ((_e858.member[0].w - _e337) * _e341);
+                                        let _e884 = ((_e858.member[1].x - _e374) * _e379);
+                                        let _e885 = ((_e858.member[1].y - _e374) * _e379);
+                                        let _e886 = ((_e858.member[1].z - _e375) * _e379);
+                                        let _e887 = ((_e858.member[1].w - _e375) * _e379);
+                                        let _e897 = ((_e858.member[2].x - _e412) * _e417);
+                                        let _e898 = ((_e858.member[2].y - _e412) * _e417);
+                                        let _e899 = ((_e858.member[2].z - _e413) * _e417);
+                                        let _e900 = ((_e858.member[2].w - _e413) * _e417);
+                                        let _e902 = select(_e899, _e897, (_e897 < _e899));
+                                        let _e904 = select(_e900, _e898, (_e898 < _e900));
+                                        let _e906 = select(_e899, _e897, (_e897 > _e899));
+                                        let _e908 = select(_e900, _e898, (_e898 > _e900));
+                                        let _e910 = select(_e873, _e871, (_e871 < _e873));
+                                        let _e912 = select(_e874, _e872, (_e872 < _e874));
+                                        let _e914 = select(_e886, _e884, (_e884 < _e886));
+                                        let _e916 = select(_e887, _e885, (_e885 < _e887));
+                                        let _e918 = select(_e914, _e910, (_e910 > _e914));
+                                        let _e920 = select(_e916, _e912, (_e912 > _e916));
+                                        let _e922 = select(_e902, _e918, (_e918 > _e902));
+                                        let _e924 = select(_e904, _e920, (_e920 > _e904));
+                                        let _e926 = select(_e873, _e871, (_e871 > _e873));
+                                        let _e928 = select(_e874, _e872, (_e872 > _e874));
+                                        let _e930 = select(_e886, _e884, (_e884 > _e886));
+                                        let _e932 = select(_e887, _e885, (_e885 > _e887));
+                                        let _e934 = select(_e930, _e926, (_e926 < _e930));
+                                        let _e936 = select(_e932, _e928, (_e928 < _e932));
+                                        let _e941 = -(_e902);
+                                        let _e942 = -(_e904);
+                                        let _e949 = (select(_e906, _e934, (_e934 < _e906)) + (select(_e941, _e906, (_e906 > _e941)) * 0.0000019073523f));
+                                        let _e950 = (select(_e908, _e936, (_e936 < _e908)) + (select(_e942, _e908, (_e908 > _e942)) * 0.0000019073523f));
+                                        let _e952 = select(_e464, _e922, (_e922 > _e464));
+                                        let _e954 = select(_e464, _e924, (_e924 > _e464));
+                                        let _e959 = (_e952 <= select(_e509.member.member_1, _e949, (_e949 < _e509.member.member_1)));
+                                        let _e960 = (_e954 <= select(_e509.member.member_1, _e950, (_e950 < _e509.member.member_1)));
+                                        let _e961 = (_e952 <= _e954);
+                                        if _e959 {
+                                            if _e960 {
+                                                if _e961 {
+                                                    phi_3721_ = _e858.member_2;
+                                                } else {
+                                                    phi_3721_ = _e858.member_1;
+                                                }
+                                                let _e965 = phi_3721_;
+                                                let _e987 = (_e553 % 128u);
+                                                let _e988 = (_e987 < 128u);
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e987] = _e965.member_1;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e987] = _e965.member.member.x;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e987] = _e965.member.member.y;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e987] = _e965.member.member.z;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e987] = _e965.member.member_1.x;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e987] = _e965.member.member_1.y;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e987] = _e965.member.member_1.z;
+                                                if _e988 {
+                                                } else {
+                                                    phi_4230_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e987] = select(_e954, _e952, (_e952 > _e954));
+                                                if _e961 {
+                                                    phi_3798_ = _e858.member_1;
+                                                } else {
+                                                    phi_3798_ = _e858.member_2;
+                                                }
+                                                let _e1001 = phi_3798_;
+                                                phi_3799_ = _e1001;
+                                                phi_3800_ = (_e553 + 1u);
+                                            } else {
+                                                phi_3799_ = type_50();
+                                                phi_3800_ = u32();
+                                            }
+                                            let _e1003 = phi_3799_;
+                                            let _e1005 = phi_3800_;
+                                            phi_3802_ = _e1003;
+                                            phi_3803_ = _e1005;
+                                            phi_3804_ = select(true, false, _e960);
+                                        } else {
+                                            phi_3802_ = type_50();
+                                            phi_3803_ = u32();
+                                            phi_3804_ = true;
+                                        }
+                                        let _e1008 = phi_3802_;
+                                        let _e1010 = phi_3803_;
+                                        let _e1012 = phi_3804_;
+                                        if _e1012 {
                                             if _e959 {
-                                                if _e960 {
-                                                    phi_3723_ = _e857.member_2;
-                                                } else {
-                                                    phi_3723_ = _e857.member_1;
-                                                }
-                                                let _e964 = phi_3723_;
-                                                let _e986 = (_e552 % 128u);
-                                                let _e987 = (_e986 < 128u);
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e986] = _e964.member_1;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e986] = _e964.member.member.x;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e986] = _e964.member.member.y;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e986] = _e964.member.member.z;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e986] = _e964.member.member_1.x;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e986] = _e964.member.member_1.y;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e986] = _e964.member.member_1.z;
-                                                if _e987 {
-                                                } else {
-                                                    phi_4232_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e986] = select(_e953, _e951, (_e951 > _e953));
-                                                if _e960 {
-                                                    phi_3800_ = _e857.member_1;
-                                                } else {
-                                                    phi_3800_ = _e857.member_2;
-                                                }
-                                                let _e1000 = phi_3800_;
-                                                phi_3801_ = _e1000;
-                                                phi_3802_ = (_e552 + 1u);
+                                                phi_3813_ = _e858.member_1;
                                             } else {
-                                                phi_3801_ = type_50();
-                                                phi_3802_ = u32();
+                                                phi_3813_ = _e858.member_2;
                                             }
-                                            let _e1002 = phi_3801_;
-                                            let _e1004 = phi_3802_;
-                                            phi_3804_ = _e1002;
-                                            phi_3805_ = _e1004;
-                                            phi_3806_ = select(true, false, _e959);
+                                            let _e1016 = phi_3813_;
+                                            phi_3818_ = _e1016;
+                                            phi_3819_ = select(_e960, true, _e959);
                                         } else {
-                                            phi_3804_ = type_50();
-                                            phi_3805_ = u32();
-                                            phi_3806_ = true;
+                                            phi_3818_ = _e1008;
+                                            phi_3819_ = _e551;
                                         }
-                                        let _e1007 = phi_3804_;
-                                        let _e1009 = phi_3805_;
-                                        let _e1011 = phi_3806_;
-                                        if _e1011 {
-                                            if _e958 {
-                                                phi_3815_ = _e857.member_1;
-                                            } else {
-                                                phi_3815_ = _e857.member_2;
-                                            }
-                                            let _e1015 = phi_3815_;
-                                            phi_3820_ = _e1015;
-                                            phi_3821_ = select(_e959, true, _e958);
-                                        } else {
-                                            phi_3820_ = _e1007;
-                                            phi_3821_ = _e550;
-                                        }
-                                        let _e1018 = phi_3820_;
-                                        let _e1020 = phi_3821_;
-                                        phi_4236_ = _e506;
-                                        phi_3823_ = type_43(_e508.member, (_e508.member_1 + 1u), _e508.member_2);
-                                        phi_3824_ = _e1018;
-                                        phi_3825_ = _e1020;
-                                        phi_3826_ = select(_e1009, _e552, _e1011);
+                                        let _e1019 = phi_3818_;
+                                        let _e1021 = phi_3819_;
+                                        phi_4234_ = _e507;
+                                        phi_3821_ = type_43(_e509.member, (_e509.member_1 + 1u), _e509.member_2);
+                                        phi_3822_ = _e1019;
+                                        phi_3823_ = _e1021;
+                                        phi_3824_ = select(_e1010, _e553, _e1012);
                                     }
-                                    let _e1957 = phi_4236_;
-                                    let _e1959 = phi_3823_;
-                                    let _e1961 = phi_3824_;
-                                    let _e1963 = phi_3825_;
-                                    let _e1965 = phi_3826_;
-                                    phi_4235_ = _e1957;
-                                    phi_3827_ = _e1959;
-                                    phi_3828_ = _e1961;
-                                    phi_3829_ = (_e512 - 1u);
-                                    phi_3830_ = _e1963;
-                                    phi_3831_ = _e1965;
+                                    let _e1959 = phi_4234_;
+                                    let _e1961 = phi_3821_;
+                                    let _e1963 = phi_3822_;
+                                    let _e1965 = phi_3823_;
+                                    let _e1967 = phi_3824_;
+                                    phi_4233_ = _e1959;
+                                    phi_3825_ = _e1961;
+                                    phi_3826_ = _e1963;
+                                    phi_3827_ = (_e513 - 1u);
+                                    phi_3828_ = _e1965;
+                                    phi_3829_ = _e1967;
                                 } else {
-                                    phi_4235_ = _e506;
-                                    phi_3827_ = _e508;
-                                    phi_3828_ = _e548;
-                                    phi_3829_ = _e512;
-                                    phi_3830_ = _e550;
-                                    phi_3831_ = _e552;
+                                    phi_4233_ = _e507;
+                                    phi_3825_ = _e509;
+                                    phi_3826_ = _e549;
+                                    phi_3827_ = _e513;
+                                    phi_3828_ = _e551;
+                                    phi_3829_ = _e553;
                                 }
-                                let _e1967 = phi_4235_;
-                                let _e1969 = phi_3827_;
-                                let _e1971 = phi_3828_;
-                                let _e1973 = phi_3829_;
-                                let _e1975 = phi_3830_;
-                                let _e1977 = phi_3831_;
-                                phi_4234_ = _e1967;
-                                phi_3832_ = _e1969;
-                                phi_3833_ = _e1971;
-                                phi_3834_ = _e1973;
-                                phi_3835_ = _e1975;
-                                phi_3836_ = _e1977;
+                                let _e1969 = phi_4233_;
+                                let _e1971 = phi_3825_;
+                                let _e1973 = phi_3826_;
+                                let _e1975 = phi_3827_;
+                                let _e1977 = phi_3828_;
+                                let _e1979 = phi_3829_;
+                                phi_4232_ = _e1969;
+                                phi_3830_ = _e1971;
+                                phi_3831_ = _e1973;
+                                phi_3832_ = _e1975;
+                                phi_3833_ = _e1977;
+                                phi_3834_ = _e1979;
                             } else {
-                                phi_4234_ = _e506;
-                                phi_3832_ = type_43();
-                                phi_3833_ = type_50();
+                                phi_4232_ = _e507;
+                                phi_3830_ = type_43();
+                                phi_3831_ = type_50();
+                                phi_3832_ = u32();
+                                phi_3833_ = bool();
                                 phi_3834_ = u32();
-                                phi_3835_ = bool();
-                                phi_3836_ = u32();
                             }
-                            let _e1979 = phi_4234_;
-                            let _e1981 = phi_3832_;
-                            let _e1983 = phi_3833_;
-                            let _e1985 = phi_3834_;
-                            let _e1987 = phi_3835_;
-                            let _e1989 = phi_3836_;
-                            phi_4233_ = _e1979;
-                            phi_854_ = _e1981;
-                            phi_857_ = _e1983;
-                            phi_859_ = _e1985;
-                            phi_861_ = _e1987;
-                            phi_863_ = _e1989;
-                            phi_3837_ = _e520;
+                            let _e1981 = phi_4232_;
+                            let _e1983 = phi_3830_;
+                            let _e1985 = phi_3831_;
+                            let _e1987 = phi_3832_;
+                            let _e1989 = phi_3833_;
+                            let _e1991 = phi_3834_;
+                            phi_4231_ = _e1981;
+                            phi_855_ = _e1983;
+                            phi_858_ = _e1985;
+                            phi_860_ = _e1987;
+                            phi_862_ = _e1989;
+                            phi_864_ = _e1991;
+                            phi_3835_ = _e521;
                         } else {
-                            phi_4233_ = _e506;
-                            phi_854_ = type_43();
-                            phi_857_ = type_50();
-                            phi_859_ = u32();
-                            phi_861_ = bool();
-                            phi_863_ = u32();
-                            phi_3837_ = false;
+                            phi_4231_ = _e507;
+                            phi_855_ = type_43();
+                            phi_858_ = type_50();
+                            phi_860_ = u32();
+                            phi_862_ = bool();
+                            phi_864_ = u32();
+                            phi_3835_ = false;
                         }
-                        let _e1991 = phi_4233_;
-                        let _e1993 = phi_854_;
-                        let _e1995 = phi_857_;
-                        let _e1997 = phi_859_;
-                        let _e1999 = phi_861_;
-                        let _e2001 = phi_863_;
-                        let _e2003 = phi_3837_;
+                        let _e1993 = phi_4231_;
+                        let _e1995 = phi_855_;
+                        let _e1997 = phi_858_;
+                        let _e1999 = phi_860_;
+                        let _e2001 = phi_862_;
+                        let _e2003 = phi_864_;
+                        let _e2005 = phi_3835_;
                         continue;
                         continuing {
-                            phi_4049_ = _e1991;
-                            phi_853_ = _e1993;
-                            phi_856_ = _e1995;
-                            phi_858_ = _e1997;
-                            phi_860_ = _e1999;
-                            phi_862_ = _e2001;
-                            phi_4232_ = _e1991;
-                            break if !(_e2003);
+                            phi_4047_ = _e1993;
+                            phi_854_ = _e1995;
+                            phi_857_ = _e1997;
+                            phi_859_ = _e1999;
+                            phi_861_ = _e2001;
+                            phi_863_ = _e2003;
+                            phi_4230_ = _e1993;
+                            break if !(_e2005);
                         }
                     }
-                    let _e2006 = phi_4232_;
-                    if _e2006 {
+                    let _e2008 = phi_4230_;
+                    if _e2008 {
                         break;
                     }
-                    let _e2008 = local_10;
-                    let _e2011 = local_11;
-                    if _e151 {
+                    let _e2010 = local_10;
+                    let _e2013 = local_11;
+                    if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e149][0u] = _e2008.member_1;
-                    global_6.member[_e149][1u] = _e2011.member_2;
+                    global_6.member[_e150][0u] = _e2010.member_1;
+                    global_6.member[_e150][1u] = _e2013.member_2;
                 }
             }
             break;

@@ -89,405 +89,407 @@ fn function_() {
     var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var phi_341_: i32;
     var phi_342_: i32;
-    var phi_352_: bool;
-    var phi_362_: u32;
+    var phi_343_: i32;
+    var phi_353_: bool;
     var phi_363_: u32;
-    var phi_365_: bool;
-    var phi_370_: u32;
-    var phi_382_: i32;
-    var phi_402_: i32;
-    var phi_420_: f32;
-    var phi_426_: f32;
-    var phi_437_: f32;
-    var phi_443_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_486_: f32;
-    var phi_492_: f32;
-    var phi_503_: f32;
-    var phi_509_: f32;
-    var phi_532_: f32;
-    var phi_543_: f32;
-    var phi_552_: f32;
-    var phi_558_: f32;
-    var phi_569_: f32;
-    var phi_575_: f32;
-    var phi_598_: f32;
-    var phi_609_: f32;
-    var phi_709_: f32;
+    var phi_364_: u32;
+    var phi_366_: bool;
+    var phi_371_: u32;
+    var phi_383_: i32;
+    var phi_403_: i32;
+    var phi_421_: f32;
+    var phi_427_: f32;
+    var phi_438_: f32;
+    var phi_444_: f32;
+    var phi_467_: f32;
+    var phi_478_: f32;
+    var phi_487_: f32;
+    var phi_493_: f32;
+    var phi_504_: f32;
+    var phi_510_: f32;
+    var phi_533_: f32;
+    var phi_544_: f32;
+    var phi_553_: f32;
+    var phi_559_: f32;
+    var phi_570_: f32;
+    var phi_576_: f32;
+    var phi_599_: f32;
+    var phi_610_: f32;
     var phi_710_: f32;
-    var phi_3470_: bool;
-    var phi_3390_: f32;
-    var phi_836_: type_52;
-    var phi_839_: u32;
-    var phi_841_: bool;
-    var phi_843_: u32;
-    var phi_854_: bool;
-    var phi_941_: type_52;
-    var phi_942_: bool;
-    var phi_943_: u32;
-    var phi_2228_: type_39;
-    var phi_3061_: type_52;
-    var phi_3138_: type_52;
-    var phi_3139_: type_52;
-    var phi_3140_: u32;
-    var phi_3142_: type_52;
-    var phi_3143_: u32;
-    var phi_3144_: bool;
-    var phi_3151_: type_52;
-    var phi_3156_: type_52;
-    var phi_3157_: bool;
-    var phi_3467_: bool;
-    var phi_3439_: f32;
-    var phi_962_: type_4;
-    var phi_963_: type_4;
-    var phi_986_: type_4;
-    var phi_1011_: u32;
-    var phi_1027_: type_46;
-    var phi_1404_: bool;
-    var phi_1433_: bool;
-    var phi_1810_: f32;
-    var phi_1811_: f32;
-    var phi_1812_: f32;
-    var phi_1813_: f32;
-    var phi_1814_: vec3<f32>;
-    var phi_1815_: vec3<f32>;
-    var phi_1816_: vec3<f32>;
-    var phi_1817_: vec3<f32>;
-    var phi_1848_: bool;
-    var phi_1857_: vec3<f32>;
-    var phi_2024_: bool;
-    var phi_2048_: f32;
-    var phi_2049_: f32;
-    var phi_2072_: type_18;
-    var phi_2074_: type_18;
-    var phi_2075_: bool;
-    var phi_2079_: type_18;
-    var phi_2080_: type_18;
-    var phi_2081_: type_18;
-    var phi_2082_: bool;
-    var phi_2086_: type_18;
-    var phi_2087_: bool;
-    var phi_2088_: type_18;
-    var phi_2089_: bool;
-    var phi_2090_: bool;
-    var phi_2091_: type_18;
-    var phi_2092_: bool;
-    var phi_2093_: bool;
-    var phi_2101_: type_18;
-    var phi_2102_: bool;
-    var phi_2106_: type_18;
-    var phi_2118_: type_4;
-    var phi_2121_: type_18;
-    var phi_2119_: type_4;
-    var phi_2144_: type_4;
-    var phi_2176_: bool;
-    var phi_2177_: bool;
-    var phi_2198_: type_18;
-    var phi_2122_: type_18;
-    var phi_3440_: bool;
-    var phi_3805_: f32;
-    var phi_3804_: f32;
-    var phi_3603_: bool;
-    var phi_3803_: f32;
-    var phi_3602_: bool;
-    var phi_3802_: f32;
-    var phi_3601_: bool;
-    var phi_3714_: f32;
-    var phi_3600_: bool;
-    var phi_3679_: f32;
-    var phi_3609_: bool;
-    var phi_3159_: type_52;
-    var phi_3160_: bool;
-    var phi_3161_: u32;
-    var phi_3678_: f32;
-    var phi_3608_: bool;
-    var phi_3162_: type_52;
-    var phi_3163_: u32;
-    var phi_3164_: bool;
-    var phi_3165_: u32;
-    var phi_3677_: f32;
-    var phi_3607_: bool;
-    var phi_3166_: type_52;
-    var phi_3167_: u32;
-    var phi_3168_: bool;
-    var phi_3169_: u32;
-    var phi_3676_: f32;
-    var phi_3606_: bool;
+    var phi_711_: f32;
+    var phi_3468_: bool;
+    var phi_3388_: f32;
     var phi_837_: type_52;
     var phi_840_: u32;
     var phi_842_: bool;
     var phi_844_: u32;
-    var phi_3170_: bool;
+    var phi_855_: bool;
+    var phi_942_: type_52;
+    var phi_943_: bool;
+    var phi_944_: u32;
+    var phi_2226_: type_39;
+    var phi_3059_: type_52;
+    var phi_3136_: type_52;
+    var phi_3137_: type_52;
+    var phi_3138_: u32;
+    var phi_3140_: type_52;
+    var phi_3141_: u32;
+    var phi_3142_: bool;
+    var phi_3149_: type_52;
+    var phi_3154_: type_52;
+    var phi_3155_: bool;
+    var phi_3465_: bool;
+    var phi_3437_: f32;
+    var phi_963_: type_4;
+    var phi_964_: type_4;
+    var phi_987_: type_4;
+    var phi_1012_: u32;
+    var phi_1028_: type_46;
+    var phi_1405_: bool;
+    var phi_1434_: bool;
+    var phi_1811_: f32;
+    var phi_1812_: f32;
+    var phi_1813_: f32;
+    var phi_1814_: f32;
+    var phi_1815_: vec3<f32>;
+    var phi_1816_: vec3<f32>;
+    var phi_1817_: vec3<f32>;
+    var phi_1818_: vec3<f32>;
+    var phi_1849_: bool;
+    var phi_1858_: vec3<f32>;
+    var phi_2023_: f32;
+    var phi_2025_: f32;
+    var phi_2026_: bool;
+    var phi_2046_: f32;
+    var phi_2047_: f32;
+    var phi_2070_: type_18;
+    var phi_2072_: type_18;
+    var phi_2073_: bool;
+    var phi_2077_: type_18;
+    var phi_2078_: type_18;
+    var phi_2079_: type_18;
+    var phi_2080_: bool;
+    var phi_2084_: type_18;
+    var phi_2085_: bool;
+    var phi_2086_: type_18;
+    var phi_2087_: bool;
+    var phi_2088_: bool;
+    var phi_2089_: type_18;
+    var phi_2090_: bool;
+    var phi_2091_: bool;
+    var phi_2099_: type_18;
+    var phi_2100_: bool;
+    var phi_2104_: type_18;
+    var phi_2116_: type_4;
+    var phi_2119_: type_18;
+    var phi_2117_: type_4;
+    var phi_2142_: type_4;
+    var phi_2174_: bool;
+    var phi_2175_: bool;
+    var phi_2196_: type_18;
+    var phi_2120_: type_18;
+    var phi_3438_: bool;
+    var phi_3803_: f32;
+    var phi_3802_: f32;
+    var phi_3601_: bool;
+    var phi_3801_: f32;
+    var phi_3600_: bool;
+    var phi_3800_: f32;
+    var phi_3599_: bool;
+    var phi_3712_: f32;
+    var phi_3598_: bool;
+    var phi_3677_: f32;
+    var phi_3607_: bool;
+    var phi_3157_: type_52;
+    var phi_3158_: bool;
+    var phi_3159_: u32;
+    var phi_3676_: f32;
+    var phi_3606_: bool;
+    var phi_3160_: type_52;
+    var phi_3161_: u32;
+    var phi_3162_: bool;
+    var phi_3163_: u32;
+    var phi_3675_: f32;
     var phi_3605_: bool;
-    var phi_3177_: type_4;
-    var phi_3178_: type_4;
-    var phi_3201_: type_4;
-    var phi_3267_: type_18;
-    var phi_3669_: bool;
+    var phi_3164_: type_52;
+    var phi_3165_: u32;
+    var phi_3166_: bool;
+    var phi_3167_: u32;
+    var phi_3674_: f32;
+    var phi_3604_: bool;
+    var phi_838_: type_52;
+    var phi_841_: u32;
+    var phi_843_: bool;
+    var phi_845_: u32;
+    var phi_3168_: bool;
+    var phi_3603_: bool;
+    var phi_3175_: type_4;
+    var phi_3176_: type_4;
+    var phi_3199_: type_4;
+    var phi_3265_: type_18;
+    var phi_3667_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e78 = global;
-            let _e81 = arrayLength((&global_4.member));
-            let _e92 = global_2.member[0u][0u];
-            let _e96 = global_2.member[0u][1u];
-            let _e100 = global_2.member[0u][2u];
-            let _e104 = global_2.member[1u][0u];
-            let _e108 = global_2.member[1u][1u];
-            let _e112 = global_2.member[1u][2u];
-            let _e116 = global_2.member[1u][3u];
-            let _e119 = global_1.member[0u];
-            let _e120 = bitcast<i32>(_e119);
-            let _e130 = (_e78.x + (_e78.y * 2097152u));
-            let _e131 = (_e130 < arrayLength((&global_3.member)));
-            if _e131 {
-                let _e132 = (_e130 < arrayLength((&global_5.member)));
-                if _e132 {
-                    if _e131 {
+            let _e79 = global;
+            let _e82 = arrayLength((&global_4.member));
+            let _e93 = global_2.member[0u][0u];
+            let _e97 = global_2.member[0u][1u];
+            let _e101 = global_2.member[0u][2u];
+            let _e105 = global_2.member[1u][0u];
+            let _e109 = global_2.member[1u][1u];
+            let _e113 = global_2.member[1u][2u];
+            let _e117 = global_2.member[1u][3u];
+            let _e120 = global_1.member[0u];
+            let _e121 = bitcast<i32>(_e120);
+            let _e131 = (_e79.x + (_e79.y * 2097152u));
+            let _e132 = (_e131 < arrayLength((&global_3.member)));
+            if _e132 {
+                let _e133 = (_e131 < arrayLength((&global_5.member)));
+                if _e133 {
+                    if _e132 {
                     } else {
                         break;
                     }
-                    let _e140 = global_3.member[_e130].member_2[0u];
-                    let _e142 = (bitcast<u32>(_e140) & 2147483647u);
-                    let _e147 = global_3.member[_e130].member_2[1u];
-                    let _e149 = (bitcast<u32>(_e147) & 2147483647u);
-                    let _e154 = global_3.member[_e130].member_2[2u];
-                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
-                    let _e161 = global_3.member[_e130].member[0u];
-                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
-                    let _e168 = global_3.member[_e130].member[1u];
-                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
-                    let _e175 = global_3.member[_e130].member[2u];
-                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
-                    let _e179 = select(_e149, _e142, (_e149 < _e142));
-                    let _e181 = select(_e156, _e179, (_e156 < _e179));
-                    let _e183 = select(_e163, _e181, (_e163 < _e181));
-                    let _e185 = select(_e170, _e183, (_e170 < _e183));
-                    let _e187 = select(_e177, _e185, (_e177 < _e185));
-                    let _e191 = global_3.member[_e130].member_1;
-                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
-                    let _e200 = global_3.member[_e130].member_3;
-                    let _e206 = (((select(_e193, _e187, (_e193 < _e187)) < 2139095040u) && ((bitcast<u32>(_e200) & 2147483647u) <= 2139095040u)) && (_e181 > 0u));
-                    if _e206 {
-                        let _e209 = (bitcast<u32>(bitcast<f32>(_e181)) & 2147483647u);
-                        if (_e209 >= 8388608u) {
-                            phi_341_ = (bitcast<i32>((_e209 >> bitcast<u32>(23i))) - 127i);
+                    let _e141 = global_3.member[_e131].member_2[0u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_3.member[_e131].member_2[1u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e131].member_2[2u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e131].member[0u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e131].member[1u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_3.member[_e131].member[2u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e180 = select(_e150, _e143, (_e150 < _e143));
+                    let _e182 = select(_e157, _e180, (_e157 < _e180));
+                    let _e184 = select(_e164, _e182, (_e164 < _e182));
+                    let _e186 = select(_e171, _e184, (_e171 < _e184));
+                    let _e188 = select(_e178, _e186, (_e178 < _e186));
+                    let _e192 = global_3.member[_e131].member_1;
+                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
+                    let _e201 = global_3.member[_e131].member_3;
+                    let _e207 = (((select(_e194, _e188, (_e194 < _e188)) < 2139095040u) && ((bitcast<u32>(_e201) & 2147483647u) <= 2139095040u)) && (_e182 > 0u));
+                    if _e207 {
+                        let _e210 = (bitcast<u32>(bitcast<f32>(_e182)) & 2147483647u);
+                        if (_e210 >= 8388608u) {
+                            phi_342_ = (bitcast<i32>((_e210 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_341_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e209)), 32u, (_e209 == 0u))));
+                            phi_342_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e210)), 32u, (_e210 == 0u))));
                         }
-                        let _e223 = phi_341_;
-                        phi_342_ = _e223;
+                        let _e224 = phi_342_;
+                        phi_343_ = _e224;
                     } else {
-                        phi_342_ = 0i;
+                        phi_343_ = 0i;
                     }
-                    let _e225 = phi_342_;
-                    let _e226 = (_e142 == _e181);
-                    if _e226 {
-                        phi_352_ = true;
+                    let _e226 = phi_343_;
+                    let _e227 = (_e143 == _e182);
+                    if _e227 {
+                        phi_353_ = true;
                     } else {
-                        phi_352_ = (_e149 == _e181);
+                        phi_353_ = (_e150 == _e182);
                     }
-                    let _e229 = phi_352_;
-                    let _e230 = select(1u, 0u, _e226);
-                    if _e229 {
-                        let _e231 = (_e230 + 1u);
-                        phi_362_ = _e231;
-                        phi_363_ = _e231;
-                        phi_365_ = select(true, false, (_e231 == 2u));
+                    let _e230 = phi_353_;
+                    let _e231 = select(1u, 0u, _e227);
+                    if _e230 {
+                        let _e232 = (_e231 + 1u);
+                        phi_363_ = _e232;
+                        phi_364_ = _e232;
+                        phi_366_ = select(true, false, (_e232 == 2u));
                     } else {
-                        phi_362_ = u32();
-                        phi_363_ = 0u;
-                        phi_365_ = true;
+                        phi_363_ = u32();
+                        phi_364_ = 0u;
+                        phi_366_ = true;
                     }
-                    let _e235 = phi_362_;
-                    let _e237 = phi_363_;
-                    let _e239 = phi_365_;
-                    if _e239 {
-                        phi_370_ = (_e237 + 1u);
+                    let _e236 = phi_363_;
+                    let _e238 = phi_364_;
+                    let _e240 = phi_366_;
+                    if _e240 {
+                        phi_371_ = (_e238 + 1u);
                     } else {
-                        phi_370_ = 0u;
+                        phi_371_ = 0u;
                     }
-                    let _e243 = phi_370_;
-                    let _e244 = select(_e235, _e237, _e239);
-                    let _e245 = select(_e230, select(2u, _e230, _e229), _e239);
-                    if (_e120 < -126i) {
-                        phi_382_ = -126i;
+                    let _e244 = phi_371_;
+                    let _e245 = select(_e236, _e238, _e240);
+                    let _e246 = select(_e231, select(2u, _e231, _e230), _e240);
+                    if (_e121 < -126i) {
+                        phi_383_ = -126i;
                     } else {
-                        phi_382_ = select(_e120, 127i, (_e120 > 127i));
+                        phi_383_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e250 = phi_382_;
-                    let _e255 = bitcast<f32>((bitcast<u32>((_e250 + 127i)) << bitcast<u32>(23i)));
-                    let _e261 = bitcast<f32>((bitcast<u32>(((_e120 - _e250) + 127i)) << bitcast<u32>(23i)));
-                    let _e262 = -(_e225);
-                    if (_e262 < -126i) {
-                        phi_402_ = -126i;
+                    let _e251 = phi_383_;
+                    let _e256 = bitcast<f32>((bitcast<u32>((_e251 + 127i)) << bitcast<u32>(23i)));
+                    let _e262 = bitcast<f32>((bitcast<u32>(((_e121 - _e251) + 127i)) << bitcast<u32>(23i)));
+                    let _e263 = -(_e226);
+                    if (_e263 < -126i) {
+                        phi_403_ = -126i;
                     } else {
-                        phi_402_ = select(_e262, 127i, (_e262 > 127i));
+                        phi_403_ = select(_e263, 127i, (_e263 > 127i));
                     }
-                    let _e267 = phi_402_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e262 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e282 = global_3.member[_e130].member;
-                    let _e283 = (_e244 == 0u);
-                    if _e283 {
-                        phi_420_ = _e282[0];
+                    let _e268 = phi_403_;
+                    let _e273 = bitcast<f32>((bitcast<u32>((_e268 + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = bitcast<f32>((bitcast<u32>(((_e263 - _e268) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = global_3.member[_e131].member;
+                    let _e284 = (_e245 == 0u);
+                    if _e284 {
+                        phi_421_ = _e283[0];
                     } else {
-                        phi_420_ = _e282[1];
+                        phi_421_ = _e283[1];
                     }
-                    let _e287 = phi_420_;
-                    let _e288 = (_e244 == 2u);
-                    if _e288 {
-                        phi_426_ = _e282[2];
+                    let _e288 = phi_421_;
+                    let _e289 = (_e245 == 2u);
+                    if _e289 {
+                        phi_427_ = _e283[2];
                     } else {
-                        phi_426_ = _e287;
+                        phi_427_ = _e288;
                     }
-                    let _e291 = phi_426_;
-                    let _e293 = ((_e291 * _e255) * _e261);
-                    let _e294 = global_3.member[_e130].member_2;
-                    if _e283 {
-                        phi_437_ = _e294[0];
+                    let _e292 = phi_427_;
+                    let _e294 = ((_e292 * _e256) * _e262);
+                    let _e295 = global_3.member[_e131].member_2;
+                    if _e284 {
+                        phi_438_ = _e295[0];
                     } else {
-                        phi_437_ = _e294[1];
+                        phi_438_ = _e295[1];
                     }
-                    let _e298 = phi_437_;
-                    if _e288 {
-                        phi_443_ = _e294[2];
+                    let _e299 = phi_438_;
+                    if _e289 {
+                        phi_444_ = _e295[2];
                     } else {
-                        phi_443_ = _e298;
+                        phi_444_ = _e299;
                     }
-                    let _e301 = phi_443_;
-                    let _e303 = ((_e301 * _e272) * _e278);
-                    let _e307 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e307 {
-                        let _e311 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) * 0.00000011920929f);
-                        phi_466_ = select(0.00000000000011368684f, _e311, (_e311 > 0.00000000000011368684f));
+                    let _e302 = phi_444_;
+                    let _e304 = ((_e302 * _e273) * _e279);
+                    let _e308 = (bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e308 {
+                        let _e312 = (bitcast<f32>((bitcast<u32>(_e294) & 2147483647u)) * 0.00000011920929f);
+                        phi_467_ = select(0.00000000000011368684f, _e312, (_e312 > 0.00000000000011368684f));
                     } else {
-                        phi_466_ = 0f;
+                        phi_467_ = 0f;
                     }
-                    let _e315 = phi_466_;
-                    let _e316 = (_e293 + _e315);
-                    let _e317 = (_e293 - _e315);
-                    let _e318 = select(_e303, 0f, _e307);
-                    if _e307 {
-                        phi_477_ = 38685626000000000000000000f;
+                    let _e316 = phi_467_;
+                    let _e317 = (_e294 + _e316);
+                    let _e318 = (_e294 - _e316);
+                    let _e319 = select(_e304, 0f, _e308);
+                    if _e308 {
+                        phi_478_ = 38685626000000000000000000f;
                     } else {
-                        phi_477_ = (1f / _e303);
+                        phi_478_ = (1f / _e304);
                     }
-                    let _e321 = phi_477_;
-                    let _e322 = (_e243 == 0u);
-                    if _e322 {
-                        phi_486_ = _e282[0];
+                    let _e322 = phi_478_;
+                    let _e323 = (_e244 == 0u);
+                    if _e323 {
+                        phi_487_ = _e283[0];
                     } else {
-                        phi_486_ = _e282[1];
+                        phi_487_ = _e283[1];
                     }
-                    let _e326 = phi_486_;
-                    let _e327 = (_e243 == 2u);
-                    if _e327 {
-                        phi_492_ = _e282[2];
+                    let _e327 = phi_487_;
+                    let _e328 = (_e244 == 2u);
+                    if _e328 {
+                        phi_493_ = _e283[2];
                     } else {
-                        phi_492_ = _e326;
+                        phi_493_ = _e327;
                     }
-                    let _e330 = phi_492_;
-                    let _e332 = ((_e330 * _e255) * _e261);
-                    if _e322 {
-                        phi_503_ = _e294[0];
+                    let _e331 = phi_493_;
+                    let _e333 = ((_e331 * _e256) * _e262);
+                    if _e323 {
+                        phi_504_ = _e295[0];
                     } else {
-                        phi_503_ = _e294[1];
+                        phi_504_ = _e295[1];
                     }
-                    let _e336 = phi_503_;
-                    if _e327 {
-                        phi_509_ = _e294[2];
+                    let _e337 = phi_504_;
+                    if _e328 {
+                        phi_510_ = _e295[2];
                     } else {
-                        phi_509_ = _e336;
+                        phi_510_ = _e337;
                     }
-                    let _e339 = phi_509_;
-                    let _e341 = ((_e339 * _e272) * _e278);
-                    let _e345 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e345 {
-                        let _e349 = (bitcast<f32>((bitcast<u32>(_e332) & 2147483647u)) * 0.00000011920929f);
-                        phi_532_ = select(0.00000000000011368684f, _e349, (_e349 > 0.00000000000011368684f));
+                    let _e340 = phi_510_;
+                    let _e342 = ((_e340 * _e273) * _e279);
+                    let _e346 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e346 {
+                        let _e350 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) * 0.00000011920929f);
+                        phi_533_ = select(0.00000000000011368684f, _e350, (_e350 > 0.00000000000011368684f));
                     } else {
-                        phi_532_ = 0f;
+                        phi_533_ = 0f;
                     }
-                    let _e353 = phi_532_;
-                    let _e354 = (_e332 + _e353);
-                    let _e355 = (_e332 - _e353);
-                    let _e356 = select(_e341, 0f, _e345);
-                    if _e345 {
-                        phi_543_ = 38685626000000000000000000f;
+                    let _e354 = phi_533_;
+                    let _e355 = (_e333 + _e354);
+                    let _e356 = (_e333 - _e354);
+                    let _e357 = select(_e342, 0f, _e346);
+                    if _e346 {
+                        phi_544_ = 38685626000000000000000000f;
                     } else {
-                        phi_543_ = (1f / _e341);
+                        phi_544_ = (1f / _e342);
                     }
-                    let _e359 = phi_543_;
-                    let _e360 = (_e245 == 0u);
-                    if _e360 {
-                        phi_552_ = _e282[0];
+                    let _e360 = phi_544_;
+                    let _e361 = (_e246 == 0u);
+                    if _e361 {
+                        phi_553_ = _e283[0];
                     } else {
-                        phi_552_ = _e282[1];
+                        phi_553_ = _e283[1];
                     }
-                    let _e364 = phi_552_;
-                    let _e365 = (_e245 == 2u);
-                    if _e365 {
-                        phi_558_ = _e282[2];
+                    let _e365 = phi_553_;
+                    let _e366 = (_e246 == 2u);
+                    if _e366 {
+                        phi_559_ = _e283[2];
                     } else {
-                        phi_558_ = _e364;
+                        phi_559_ = _e365;
                     }
-                    let _e368 = phi_558_;
-                    let _e370 = ((_e368 * _e255) * _e261);
-                    if _e360 {
-                        phi_569_ = _e294[0];
+                    let _e369 = phi_559_;
+                    let _e371 = ((_e369 * _e256) * _e262);
+                    if _e361 {
+                        phi_570_ = _e295[0];
                     } else {
-                        phi_569_ = _e294[1];
+                        phi_570_ = _e295[1];
                     }
-                    let _e374 = phi_569_;
-                    if _e365 {
-                        phi_575_ = _e294[2];
+                    let _e375 = phi_570_;
+                    if _e366 {
+                        phi_576_ = _e295[2];
                     } else {
-                        phi_575_ = _e374;
+                        phi_576_ = _e375;
                     }
-                    let _e377 = phi_575_;
-                    let _e379 = ((_e377 * _e272) * _e278);
-                    let _e383 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e383 {
-                        let _e387 = (bitcast<f32>((bitcast<u32>(_e370) & 2147483647u)) * 0.00000011920929f);
-                        phi_598_ = select(0.00000000000011368684f, _e387, (_e387 > 0.00000000000011368684f));
+                    let _e378 = phi_576_;
+                    let _e380 = ((_e378 * _e273) * _e279);
+                    let _e384 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e384 {
+                        let _e388 = (bitcast<f32>((bitcast<u32>(_e371) & 2147483647u)) * 0.00000011920929f);
+                        phi_599_ = select(0.00000000000011368684f, _e388, (_e388 > 0.00000000000011368684f));
                     } else {
-                        phi_598_ = 0f;
+                        phi_599_ = 0f;
                     }
-                    let _e391 = phi_598_;
-                    let _e392 = (_e370 + _e391);
-                    let _e393 = (_e370 - _e391);
-                    let _e394 = select(_e379, 0f, _e383);
-                    if _e383 {
-                        phi_609_ = 38685626000000000000000000f;
+                    let _e392 = phi_599_;
+                    let _e393 = (_e371 + _e392);
+                    let _e394 = (_e371 - _e392);
+                    let _e395 = select(_e380, 0f, _e384);
+                    if _e384 {
+                        phi_610_ = 38685626000000000000000000f;
                     } else {
-                        phi_609_ = (1f / _e379);
+                        phi_610_ = (1f / _e380);
                     }
-                    let _e397 = phi_609_;
-                    let _e400 = bitcast<f32>((bitcast<u32>(_e293) & 2147483647u));
-                    let _e403 = bitcast<f32>((bitcast<u32>(_e332) & 2147483647u));
-                    let _e405 = select(_e403, _e400, (_e400 > _e403));
-                    let _e408 = bitcast<f32>((bitcast<u32>(_e370) & 2147483647u));
-                    let _e411 = (_e120 + _e225);
-                    if (_e206 && (select(_e408, _e405, (_e405 > _e408)) <= 1099511600000f)) {
-                        let _e414 = (_e411 / 3i);
-                        let _e421 = bitcast<f32>((bitcast<u32>((_e414 + 127i)) << bitcast<u32>(23i)));
-                        let _e428 = bitcast<f32>((bitcast<u32>(((_e411 - (2i * _e414)) + 127i)) << bitcast<u32>(23i)));
-                        let _e429 = (((_e191 * _e421) * _e421) * _e428);
-                        let _e431 = select(340282350000000000000000000000000000000f, _e429, (_e429 < 340282350000000000000000000000000000000f));
-                        let _e436 = (((_e200 * _e421) * _e421) * _e428);
-                        let _e438 = select(340282350000000000000000000000000000000f, _e436, (_e436 < 340282350000000000000000000000000000000f));
-                        phi_709_ = select(-340282350000000000000000000000000000000f, _e438, (_e438 > -340282350000000000000000000000000000000f));
-                        phi_710_ = select(-340282350000000000000000000000000000000f, _e431, (_e431 > -340282350000000000000000000000000000000f));
+                    let _e398 = phi_610_;
+                    let _e401 = bitcast<f32>((bitcast<u32>(_e294) & 2147483647u));
+                    let _e404 = bitcast<f32>((bitcast<u32>(_e333) & 2147483647u));
+                    let _e406 = select(_e404, _e401, (_e401 > _e404));
+                    let _e409 = bitcast<f32>((bitcast<u32>(_e371) & 2147483647u));
+                    let _e412 = (_e121 + _e226);
+                    if (_e207 && (select(_e409, _e406, (_e406 > _e409)) <= 1099511600000f)) {
+                        let _e415 = (_e412 / 3i);
+                        let _e422 = bitcast<f32>((bitcast<u32>((_e415 + 127i)) << bitcast<u32>(23i)));
+                        let _e429 = bitcast<f32>((bitcast<u32>(((_e412 - (2i * _e415)) + 127i)) << bitcast<u32>(23i)));
+                        let _e430 = (((_e192 * _e422) * _e422) * _e429);
+                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
+                        let _e437 = (((_e201 * _e422) * _e422) * _e429);
+                        let _e439 = select(340282350000000000000000000000000000000f, _e437, (_e437 < 340282350000000000000000000000000000000f));
+                        phi_710_ = select(-340282350000000000000000000000000000000f, _e439, (_e439 > -340282350000000000000000000000000000000f));
+                        phi_711_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_709_ = 0f;
-                        phi_710_ = 1f;
+                        phi_710_ = 0f;
+                        phi_711_ = 1f;
                     }
-                    let _e442 = phi_709_;
-                    let _e444 = phi_710_;
+                    let _e443 = phi_710_;
+                    let _e445 = phi_711_;
                     local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -497,951 +499,961 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_10 = array<f32, 3>(bitcast<f32>(_e92), bitcast<f32>(_e96), bitcast<f32>(_e100));
-                    let _e448 = (_e244 % 3u);
-                    let _e449 = (_e448 < 3u);
-                    if _e449 {
+                    local_10 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
+                    let _e449 = (_e245 % 3u);
+                    let _e450 = (_e449 < 3u);
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e451 = local_10[_e448];
-                    let _e452 = (_e243 % 3u);
-                    let _e453 = (_e452 < 3u);
-                    if _e453 {
+                    let _e452 = local_10[_e449];
+                    let _e453 = (_e244 % 3u);
+                    let _e454 = (_e453 < 3u);
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e455 = local_10[_e452];
-                    let _e456 = (_e245 % 3u);
-                    let _e457 = (_e456 < 3u);
-                    if _e457 {
+                    let _e456 = local_10[_e453];
+                    let _e457 = (_e246 % 3u);
+                    let _e458 = (_e457 < 3u);
+                    if _e458 {
                     } else {
                         break;
                     }
-                    let _e459 = local_10[_e456];
-                    local_9 = array<f32, 3>(bitcast<f32>(_e104), bitcast<f32>(_e108), bitcast<f32>(_e112));
-                    if _e449 {
+                    let _e460 = local_10[_e457];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e463 = local_9[_e448];
-                    if _e453 {
+                    let _e464 = local_9[_e449];
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e465 = local_9[_e452];
-                    if _e457 {
+                    let _e466 = local_9[_e453];
+                    if _e458 {
                     } else {
                         break;
                     }
-                    let _e467 = local_9[_e456];
-                    phi_3470_ = false;
-                    phi_3390_ = _e442;
-                    phi_836_ = type_52(type_44(array<f32, 3>(_e451, _e455, _e459), array<f32, 3>(_e463, _e465, _e467)), select(0u, 2147483648u, (_e81 == 0u)));
-                    phi_839_ = ((3u * _e81) + 1u);
-                    phi_841_ = (_e444 <= _e442);
-                    phi_843_ = 0u;
+                    let _e468 = local_9[_e457];
+                    phi_3468_ = false;
+                    phi_3388_ = _e443;
+                    phi_837_ = type_52(type_44(array<f32, 3>(_e452, _e456, _e460), array<f32, 3>(_e464, _e466, _e468)), select(0u, 2147483648u, (_e82 == 0u)));
+                    phi_840_ = ((3u * _e82) + 1u);
+                    phi_842_ = (_e445 <= _e443);
+                    phi_844_ = 0u;
                     loop {
-                        let _e475 = phi_3470_;
-                        let _e477 = phi_3390_;
-                        let _e479 = phi_836_;
-                        let _e481 = phi_839_;
-                        let _e483 = phi_841_;
-                        let _e485 = phi_843_;
-                        if _e483 {
-                            phi_854_ = true;
+                        let _e476 = phi_3468_;
+                        let _e478 = phi_3388_;
+                        let _e480 = phi_837_;
+                        let _e482 = phi_840_;
+                        let _e484 = phi_842_;
+                        let _e486 = phi_844_;
+                        if _e484 {
+                            phi_855_ = true;
                         } else {
-                            phi_854_ = (_e485 > 0u);
+                            phi_855_ = (_e486 > 0u);
                         }
-                        let _e488 = phi_854_;
-                        if _e488 {
-                            let _e489 = (_e481 > 0u);
-                            if _e489 {
-                                if _e483 {
-                                    phi_941_ = _e479;
-                                    phi_942_ = _e483;
-                                    phi_943_ = _e485;
+                        let _e489 = phi_855_;
+                        if _e489 {
+                            let _e490 = (_e482 > 0u);
+                            if _e490 {
+                                if _e484 {
+                                    phi_942_ = _e480;
+                                    phi_943_ = _e484;
+                                    phi_944_ = _e486;
                                 } else {
-                                    let _e490 = (_e485 - 1u);
-                                    let _e491 = (_e490 % 128u);
-                                    let _e492 = (_e491 < 128u);
-                                    if _e492 {
+                                    let _e491 = (_e486 - 1u);
+                                    let _e492 = (_e491 % 128u);
+                                    let _e493 = (_e492 < 128u);
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e494 = local_6[_e491];
-                                    if _e492 {
+                                    let _e495 = local_6[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e496 = local_5[_e491];
-                                    if _e492 {
+                                    let _e497 = local_5[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e498 = local_4[_e491];
-                                    if _e492 {
+                                    let _e499 = local_4[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e500 = local_3[_e491];
-                                    if _e492 {
+                                    let _e501 = local_3[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e503 = local_2[_e491];
-                                    if _e492 {
+                                    let _e504 = local_2[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e505 = local_1[_e491];
-                                    if _e492 {
+                                    let _e506 = local_1[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e507 = local[_e491];
-                                    if _e492 {
+                                    let _e508 = local[_e492];
+                                    if _e493 {
                                     } else {
-                                        phi_3605_ = true;
+                                        phi_3603_ = true;
                                         break;
                                     }
-                                    let _e512 = local_8[_e491];
-                                    phi_941_ = type_52(type_44(array<f32, 3>(_e496, _e498, _e500), array<f32, 3>(_e503, _e505, _e507)), _e494);
-                                    phi_942_ = (_e512 <= _e477);
-                                    phi_943_ = _e490;
+                                    let _e513 = local_8[_e492];
+                                    phi_942_ = type_52(type_44(array<f32, 3>(_e497, _e499, _e501), array<f32, 3>(_e504, _e506, _e508)), _e495);
+                                    phi_943_ = (_e513 <= _e478);
+                                    phi_944_ = _e491;
                                 }
-                                let _e515 = phi_941_;
-                                let _e517 = phi_942_;
-                                let _e519 = phi_943_;
-                                if _e517 {
-                                    if ((_e515.member_1 & 2147483648u) != 0u) {
-                                        phi_3467_ = _e475;
-                                        phi_3439_ = _e477;
-                                        phi_962_ = type_4(0u, ((_e515.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e516 = phi_942_;
+                                let _e518 = phi_943_;
+                                let _e520 = phi_944_;
+                                if _e518 {
+                                    if ((_e516.member_1 & 2147483648u) != 0u) {
+                                        phi_3465_ = _e476;
+                                        phi_3437_ = _e478;
+                                        phi_963_ = type_4(0u, ((_e516.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e871 = phi_3467_;
-                                            let _e873 = phi_3439_;
-                                            let _e875 = phi_962_;
-                                            if (_e875.member < _e875.member_1) {
-                                                phi_963_ = type_4((_e875.member + 1u), _e875.member_1);
-                                                phi_986_ = type_4(1u, _e875.member);
+                                            let _e872 = phi_3465_;
+                                            let _e874 = phi_3437_;
+                                            let _e876 = phi_963_;
+                                            if (_e876.member < _e876.member_1) {
+                                                phi_964_ = type_4((_e876.member + 1u), _e876.member_1);
+                                                phi_987_ = type_4(1u, _e876.member);
                                             } else {
-                                                phi_963_ = _e875;
-                                                phi_986_ = type_4(0u, type_4().member_1);
+                                                phi_964_ = _e876;
+                                                phi_987_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e888 = phi_963_;
-                                            let _e890 = phi_986_;
-                                            let _e894 = (bitcast<i32>(_e890.member) != 0i);
-                                            if _e894 {
-                                                let _e895 = ((_e515.member_1 & 268435455u) + _e890.member_1);
-                                                let _e896 = (_e895 < arrayLength((&global_6.member)));
-                                                if _e896 {
-                                                    if _e896 {
+                                            let _e889 = phi_964_;
+                                            let _e891 = phi_987_;
+                                            let _e895 = (bitcast<i32>(_e891.member) != 0i);
+                                            if _e895 {
+                                                let _e896 = ((_e516.member_1 & 268435455u) + _e891.member_1);
+                                                let _e897 = (_e896 < arrayLength((&global_6.member)));
+                                                if _e897 {
+                                                    if _e897 {
                                                     } else {
-                                                        phi_3714_ = _e873;
-                                                        phi_3600_ = true;
+                                                        phi_3712_ = _e874;
+                                                        phi_3598_ = true;
                                                         break;
                                                     }
-                                                    let _e899 = global_6.member[_e895].member_1;
-                                                    phi_1011_ = _e899;
+                                                    let _e900 = global_6.member[_e896].member_1;
+                                                    phi_1012_ = _e900;
                                                 } else {
-                                                    phi_1011_ = 4294967295u;
+                                                    phi_1012_ = 4294967295u;
                                                 }
-                                                let _e901 = phi_1011_;
-                                                if _e896 {
-                                                    if _e896 {
+                                                let _e902 = phi_1012_;
+                                                if _e897 {
+                                                    if _e897 {
                                                     } else {
-                                                        phi_3714_ = _e873;
-                                                        phi_3600_ = true;
+                                                        phi_3712_ = _e874;
+                                                        phi_3598_ = true;
                                                         break;
                                                     }
-                                                    let _e903 = global_6.member[_e895];
-                                                    phi_1027_ = _e903;
+                                                    let _e904 = global_6.member[_e896];
+                                                    phi_1028_ = _e904;
                                                 } else {
-                                                    phi_1027_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1028_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e905 = phi_1027_;
-                                                let _e917 = ((10u * _e244) & 31u);
-                                                let _e920 = ((_e905.member[0] >> bitcast<u32>(_e917)) & 1023u);
-                                                let _e925 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e116));
-                                                let _e931 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e920) * _e925)) ^ _e116)));
-                                                let _e935 = select(select(_e515.member.member_1[0], _e931, (_e931 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e920 == 1023u));
-                                                let _e937 = ((10u * _e243) & 31u);
-                                                let _e940 = ((_e905.member[0] >> bitcast<u32>(_e937)) & 1023u);
-                                                let _e945 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e116));
-                                                let _e951 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e940) * _e945)) ^ _e116)));
-                                                let _e955 = select(select(_e515.member.member_1[1], _e951, (_e951 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e940 == 1023u));
-                                                let _e957 = ((10u * _e245) & 31u);
-                                                let _e960 = ((_e905.member[0] >> bitcast<u32>(_e957)) & 1023u);
-                                                let _e965 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e116));
-                                                let _e971 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e960) * _e965)) ^ _e116)));
-                                                let _e975 = select(select(_e515.member.member_1[2], _e971, (_e971 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e960 == 1023u));
-                                                let _e979 = ((_e905.member[1] >> bitcast<u32>(_e917)) & 1023u);
-                                                let _e985 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e979) * _e925)) ^ _e116)));
-                                                let _e989 = select(select(_e515.member.member_1[0], _e985, (_e985 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e979 == 1023u));
-                                                let _e992 = ((_e905.member[1] >> bitcast<u32>(_e937)) & 1023u);
-                                                let _e998 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e992) * _e945)) ^ _e116)));
-                                                let _e1002 = select(select(_e515.member.member_1[1], _e998, (_e998 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e992 == 1023u));
-                                                let _e1005 = ((_e905.member[1] >> bitcast<u32>(_e957)) & 1023u);
-                                                let _e1011 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1005) * _e965)) ^ _e116)));
-                                                let _e1015 = select(select(_e515.member.member_1[2], _e1011, (_e1011 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e1005 == 1023u));
-                                                let _e1019 = ((_e905.member[2] >> bitcast<u32>(_e917)) & 1023u);
-                                                let _e1025 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1019) * _e925)) ^ _e116)));
-                                                let _e1029 = select(select(_e515.member.member_1[0], _e1025, (_e1025 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e1019 == 1023u));
-                                                let _e1032 = ((_e905.member[2] >> bitcast<u32>(_e937)) & 1023u);
-                                                let _e1038 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1032) * _e945)) ^ _e116)));
-                                                let _e1042 = select(select(_e515.member.member_1[1], _e1038, (_e1038 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e1032 == 1023u));
-                                                let _e1045 = ((_e905.member[2] >> bitcast<u32>(_e957)) & 1023u);
-                                                let _e1051 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1045) * _e965)) ^ _e116)));
-                                                let _e1055 = select(select(_e515.member.member_1[2], _e1051, (_e1051 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e1045 == 1023u));
-                                                let _e1058 = (_e975 - _e370);
-                                                let _e1061 = (((_e935 - _e293) * _e394) - (_e1058 * _e318));
-                                                let _e1064 = (((_e955 - _e332) * _e394) - (_e1058 * _e356));
-                                                let _e1067 = (_e1015 - _e370);
-                                                let _e1070 = (((_e989 - _e293) * _e394) - (_e1067 * _e318));
-                                                let _e1073 = (((_e1002 - _e332) * _e394) - (_e1067 * _e356));
-                                                let _e1076 = (_e1055 - _e370);
-                                                let _e1079 = (((_e1029 - _e293) * _e394) - (_e1076 * _e318));
-                                                let _e1082 = (((_e1042 - _e332) * _e394) - (_e1076 * _e356));
-                                                let _e1083 = (_e1079 * _e1073);
-                                                let _e1084 = (_e1082 * _e1070);
-                                                let _e1085 = (_e1061 * _e1082);
-                                                let _e1086 = (_e1064 * _e1079);
-                                                let _e1087 = (_e1070 * _e1064);
-                                                let _e1088 = (_e1073 * _e1061);
-                                                let _e1093 = (((_e1083 >= _e1084) && (_e1085 >= _e1086)) && (_e1087 >= _e1088));
-                                                if (_e1093 || (((_e1083 <= _e1084) && (_e1085 <= _e1086)) && (_e1087 <= _e1088))) {
-                                                    let _e1100 = select(-1f, 1f, _e1093);
-                                                    let _e1102 = ((_e1083 - _e1084) * _e1100);
-                                                    let _e1104 = select(0f, _e1102, (_e1102 > 0f));
-                                                    let _e1106 = ((_e1085 - _e1086) * _e1100);
-                                                    let _e1108 = select(0f, _e1106, (_e1106 > 0f));
-                                                    let _e1110 = ((_e1087 - _e1088) * _e1100);
-                                                    let _e1112 = select(0f, _e1110, (_e1110 > 0f));
-                                                    let _e1114 = ((_e1104 + _e1108) + _e1112);
-                                                    if (_e1114 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2091_ = type_18();
-                                                        phi_2092_ = true;
-                                                        phi_2093_ = false;
+                                                let _e906 = phi_1028_;
+                                                let _e918 = ((10u * _e245) & 31u);
+                                                let _e921 = ((_e906.member[0] >> bitcast<u32>(_e918)) & 1023u);
+                                                let _e926 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                                let _e932 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e921) * _e926)) ^ _e117)));
+                                                let _e936 = select(select(_e516.member.member_1[0], _e932, (_e932 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e921 == 1023u));
+                                                let _e938 = ((10u * _e244) & 31u);
+                                                let _e941 = ((_e906.member[0] >> bitcast<u32>(_e938)) & 1023u);
+                                                let _e946 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                                let _e952 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e941) * _e946)) ^ _e117)));
+                                                let _e956 = select(select(_e516.member.member_1[1], _e952, (_e952 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e941 == 1023u));
+                                                let _e958 = ((10u * _e246) & 31u);
+                                                let _e961 = ((_e906.member[0] >> bitcast<u32>(_e958)) & 1023u);
+                                                let _e966 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                                let _e972 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e961) * _e966)) ^ _e117)));
+                                                let _e976 = select(select(_e516.member.member_1[2], _e972, (_e972 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e961 == 1023u));
+                                                let _e980 = ((_e906.member[1] >> bitcast<u32>(_e918)) & 1023u);
+                                                let _e986 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e980) * _e926)) ^ _e117)));
+                                                let _e990 = select(select(_e516.member.member_1[0], _e986, (_e986 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e980 == 1023u));
+                                                let _e993 = ((_e906.member[1] >> bitcast<u32>(_e938)) & 1023u);
+                                                let _e999 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e993) * _e946)) ^ _e117)));
+                                                let _e1003 = select(select(_e516.member.member_1[1], _e999, (_e999 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e993 == 1023u));
+                                                let _e1006 = ((_e906.member[1] >> bitcast<u32>(_e958)) & 1023u);
+                                                let _e1012 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1006) * _e966)) ^ _e117)));
+                                                let _e1016 = select(select(_e516.member.member_1[2], _e1012, (_e1012 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1006 == 1023u));
+                                                let _e1020 = ((_e906.member[2] >> bitcast<u32>(_e918)) & 1023u);
+                                                let _e1026 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1020) * _e926)) ^ _e117)));
+                                                let _e1030 = select(select(_e516.member.member_1[0], _e1026, (_e1026 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e1020 == 1023u));
+                                                let _e1033 = ((_e906.member[2] >> bitcast<u32>(_e938)) & 1023u);
+                                                let _e1039 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1033) * _e946)) ^ _e117)));
+                                                let _e1043 = select(select(_e516.member.member_1[1], _e1039, (_e1039 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e1033 == 1023u));
+                                                let _e1046 = ((_e906.member[2] >> bitcast<u32>(_e958)) & 1023u);
+                                                let _e1052 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1046) * _e966)) ^ _e117)));
+                                                let _e1056 = select(select(_e516.member.member_1[2], _e1052, (_e1052 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e1046 == 1023u));
+                                                let _e1059 = (_e976 - _e371);
+                                                let _e1062 = (((_e936 - _e294) * _e395) - (_e1059 * _e319));
+                                                let _e1065 = (((_e956 - _e333) * _e395) - (_e1059 * _e357));
+                                                let _e1068 = (_e1016 - _e371);
+                                                let _e1071 = (((_e990 - _e294) * _e395) - (_e1068 * _e319));
+                                                let _e1074 = (((_e1003 - _e333) * _e395) - (_e1068 * _e357));
+                                                let _e1077 = (_e1056 - _e371);
+                                                let _e1080 = (((_e1030 - _e294) * _e395) - (_e1077 * _e319));
+                                                let _e1083 = (((_e1043 - _e333) * _e395) - (_e1077 * _e357));
+                                                let _e1084 = (_e1080 * _e1074);
+                                                let _e1085 = (_e1083 * _e1071);
+                                                let _e1086 = (_e1062 * _e1083);
+                                                let _e1087 = (_e1065 * _e1080);
+                                                let _e1088 = (_e1071 * _e1065);
+                                                let _e1089 = (_e1074 * _e1062);
+                                                let _e1094 = (((_e1084 >= _e1085) && (_e1086 >= _e1087)) && (_e1088 >= _e1089));
+                                                if (_e1094 || (((_e1084 <= _e1085) && (_e1086 <= _e1087)) && (_e1088 <= _e1089))) {
+                                                    let _e1101 = select(-1f, 1f, _e1094);
+                                                    let _e1103 = ((_e1084 - _e1085) * _e1101);
+                                                    let _e1105 = select(0f, _e1103, (_e1103 > 0f));
+                                                    let _e1107 = ((_e1086 - _e1087) * _e1101);
+                                                    let _e1109 = select(0f, _e1107, (_e1107 > 0f));
+                                                    let _e1111 = ((_e1088 - _e1089) * _e1101);
+                                                    let _e1113 = select(0f, _e1111, (_e1111 > 0f));
+                                                    let _e1115 = ((_e1105 + _e1109) + _e1113);
+                                                    if (_e1115 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2089_ = type_18();
+                                                        phi_2090_ = true;
+                                                        phi_2091_ = false;
                                                     } else {
-                                                        let _e1117 = select(_e1070, _e1061, (_e1061 < _e1070));
-                                                        if (select(_e1079, _e1117, (_e1117 < _e1079)) > 0f) {
-                                                            phi_1404_ = true;
+                                                        let _e1118 = select(_e1071, _e1062, (_e1062 < _e1071));
+                                                        if (select(_e1080, _e1118, (_e1118 < _e1080)) > 0f) {
+                                                            phi_1405_ = true;
                                                         } else {
-                                                            let _e1122 = select(_e1070, _e1061, (_e1061 > _e1070));
-                                                            phi_1404_ = (select(_e1079, _e1122, (_e1122 > _e1079)) < 0f);
+                                                            let _e1123 = select(_e1071, _e1062, (_e1062 > _e1071));
+                                                            phi_1405_ = (select(_e1080, _e1123, (_e1123 > _e1080)) < 0f);
                                                         }
-                                                        let _e1127 = phi_1404_;
-                                                        if _e1127 {
-                                                            phi_2088_ = type_18();
-                                                            phi_2089_ = true;
-                                                            phi_2090_ = false;
+                                                        let _e1128 = phi_1405_;
+                                                        if _e1128 {
+                                                            phi_2086_ = type_18();
+                                                            phi_2087_ = true;
+                                                            phi_2088_ = false;
                                                         } else {
-                                                            let _e1129 = select(_e1073, _e1064, (_e1064 < _e1073));
-                                                            if (select(_e1082, _e1129, (_e1129 < _e1082)) > 0f) {
-                                                                phi_1433_ = true;
+                                                            let _e1130 = select(_e1074, _e1065, (_e1065 < _e1074));
+                                                            if (select(_e1083, _e1130, (_e1130 < _e1083)) > 0f) {
+                                                                phi_1434_ = true;
                                                             } else {
-                                                                let _e1134 = select(_e1073, _e1064, (_e1064 > _e1073));
-                                                                phi_1433_ = (select(_e1082, _e1134, (_e1134 > _e1082)) < 0f);
+                                                                let _e1135 = select(_e1074, _e1065, (_e1065 > _e1074));
+                                                                phi_1434_ = (select(_e1083, _e1135, (_e1135 > _e1083)) < 0f);
                                                             }
-                                                            let _e1139 = phi_1433_;
-                                                            if _e1139 {
-                                                                phi_2086_ = type_18();
-                                                                phi_2087_ = false;
+                                                            let _e1140 = phi_1434_;
+                                                            if _e1140 {
+                                                                phi_2084_ = type_18();
+                                                                phi_2085_ = false;
                                                             } else {
-                                                                let _e1141 = select(_e989, _e935, (_e935 < _e989));
-                                                                let _e1145 = select(_e989, _e935, (_e935 > _e989));
-                                                                let _e1149 = select(_e1002, _e955, (_e955 < _e1002));
-                                                                let _e1153 = select(_e1002, _e955, (_e955 > _e1002));
-                                                                let _e1157 = select(_e1015, _e975, (_e975 < _e1015));
-                                                                let _e1161 = select(_e1015, _e975, (_e975 > _e1015));
-                                                                let _e1166 = ((select(_e1029, _e1141, (_e1141 < _e1029)) - _e316) * _e321);
-                                                                let _e1167 = ((select(_e1029, _e1145, (_e1145 > _e1029)) - _e317) * _e321);
-                                                                let _e1170 = ((select(_e1042, _e1149, (_e1149 < _e1042)) - _e354) * _e359);
-                                                                let _e1171 = ((select(_e1042, _e1153, (_e1153 > _e1042)) - _e355) * _e359);
-                                                                let _e1174 = ((select(_e1055, _e1157, (_e1157 < _e1055)) - _e392) * _e397);
-                                                                let _e1175 = ((select(_e1055, _e1161, (_e1161 > _e1055)) - _e393) * _e397);
-                                                                let _e1177 = select(_e1175, _e1174, (_e1174 < _e1175));
-                                                                let _e1179 = select(_e1175, _e1174, (_e1174 > _e1175));
-                                                                let _e1181 = select(_e1167, _e1166, (_e1166 < _e1167));
-                                                                let _e1183 = select(_e1171, _e1170, (_e1170 < _e1171));
-                                                                let _e1185 = select(_e1183, _e1181, (_e1181 > _e1183));
-                                                                let _e1187 = select(_e1177, _e1185, (_e1185 > _e1177));
-                                                                let _e1189 = select(_e1167, _e1166, (_e1166 > _e1167));
-                                                                let _e1191 = select(_e1171, _e1170, (_e1170 > _e1171));
-                                                                let _e1193 = select(_e1191, _e1189, (_e1189 < _e1191));
-                                                                let _e1195 = select(_e1179, _e1193, (_e1193 < _e1179));
-                                                                let _e1196 = -(_e1177);
-                                                                let _e1202 = select(_e444, _e1187, (_e1187 > _e444));
-                                                                if (_e1202 > (_e1195 + (select(_e1196, _e1179, (_e1179 > _e1196)) * 0.0000019073523f))) {
-                                                                    phi_2081_ = type_18();
-                                                                    phi_2082_ = true;
+                                                                let _e1142 = select(_e990, _e936, (_e936 < _e990));
+                                                                let _e1146 = select(_e990, _e936, (_e936 > _e990));
+                                                                let _e1150 = select(_e1003, _e956, (_e956 < _e1003));
+                                                                let _e1154 = select(_e1003, _e956, (_e956 > _e1003));
+                                                                let _e1158 = select(_e1016, _e976, (_e976 < _e1016));
+                                                                let _e1162 = select(_e1016, _e976, (_e976 > _e1016));
+                                                                let _e1167 = ((select(_e1030, _e1142, (_e1142 < _e1030)) - _e317) * _e322);
+                                                                let _e1168 = ((select(_e1030, _e1146, (_e1146 > _e1030)) - _e318) * _e322);
+                                                                let _e1171 = ((select(_e1043, _e1150, (_e1150 < _e1043)) - _e355) * _e360);
+                                                                let _e1172 = ((select(_e1043, _e1154, (_e1154 > _e1043)) - _e356) * _e360);
+                                                                let _e1175 = ((select(_e1056, _e1158, (_e1158 < _e1056)) - _e393) * _e398);
+                                                                let _e1176 = ((select(_e1056, _e1162, (_e1162 > _e1056)) - _e394) * _e398);
+                                                                let _e1178 = select(_e1176, _e1175, (_e1175 < _e1176));
+                                                                let _e1180 = select(_e1176, _e1175, (_e1175 > _e1176));
+                                                                let _e1182 = select(_e1168, _e1167, (_e1167 < _e1168));
+                                                                let _e1184 = select(_e1172, _e1171, (_e1171 < _e1172));
+                                                                let _e1186 = select(_e1184, _e1182, (_e1182 > _e1184));
+                                                                let _e1188 = select(_e1178, _e1186, (_e1186 > _e1178));
+                                                                let _e1190 = select(_e1168, _e1167, (_e1167 > _e1168));
+                                                                let _e1192 = select(_e1172, _e1171, (_e1171 > _e1172));
+                                                                let _e1194 = select(_e1192, _e1190, (_e1190 < _e1192));
+                                                                let _e1196 = select(_e1180, _e1194, (_e1194 < _e1180));
+                                                                let _e1197 = -(_e1178);
+                                                                let _e1203 = select(_e445, _e1188, (_e1188 > _e445));
+                                                                if (_e1203 > (_e1196 + (select(_e1197, _e1180, (_e1180 > _e1197)) * 0.0000019073523f))) {
+                                                                    phi_2079_ = type_18();
+                                                                    phi_2080_ = true;
                                                                 } else {
-                                                                    let _e1204 = (_e1202 > _e873);
-                                                                    if _e1204 {
-                                                                        phi_2080_ = type_18();
+                                                                    let _e1205 = (_e1203 > _e874);
+                                                                    if _e1205 {
+                                                                        phi_2078_ = type_18();
                                                                     } else {
-                                                                        let _e1205 = vec3<f32>(_e935, _e955, _e975);
-                                                                        let _e1206 = vec3<f32>(_e989, _e1002, _e1015);
-                                                                        let _e1207 = vec3<f32>(_e1029, _e1042, _e1055);
-                                                                        let _e1208 = (_e989 - _e935);
-                                                                        let _e1209 = (_e1002 - _e955);
-                                                                        let _e1210 = (_e1015 - _e975);
-                                                                        let _e1211 = vec3<f32>(_e1208, _e1209, _e1210);
-                                                                        let _e1212 = (_e1029 - _e989);
-                                                                        let _e1213 = (_e1042 - _e1002);
-                                                                        let _e1214 = (_e1055 - _e1015);
-                                                                        let _e1215 = vec3<f32>(_e1212, _e1213, _e1214);
-                                                                        let _e1216 = (_e935 - _e1029);
-                                                                        let _e1217 = (_e955 - _e1042);
-                                                                        let _e1218 = (_e975 - _e1055);
-                                                                        let _e1219 = vec3<f32>(_e1216, _e1217, _e1218);
-                                                                        let _e1222 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
-                                                                        let _e1225 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
-                                                                        let _e1227 = select(_e1225, _e1222, (_e1222 > _e1225));
-                                                                        let _e1230 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
-                                                                        let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
-                                                                        let _e1235 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
-                                                                        let _e1238 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
-                                                                        let _e1240 = select(_e1238, _e1235, (_e1235 > _e1238));
-                                                                        let _e1243 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
-                                                                        let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
-                                                                        let _e1248 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
-                                                                        let _e1251 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
-                                                                        let _e1253 = select(_e1251, _e1248, (_e1248 > _e1251));
-                                                                        let _e1256 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
-                                                                        let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
-                                                                        let _e1260 = select(_e1245, _e1232, (_e1232 > _e1245));
-                                                                        let _e1262 = select(_e1258, _e1260, (_e1260 > _e1258));
-                                                                        if (_e1232 == _e1262) {
-                                                                            phi_1810_ = _e1073;
-                                                                            phi_1811_ = _e1070;
-                                                                            phi_1812_ = _e1064;
-                                                                            phi_1813_ = _e1061;
-                                                                            phi_1814_ = _e1205;
-                                                                            phi_1815_ = _e1219;
-                                                                            phi_1816_ = _e1215;
-                                                                            phi_1817_ = _e1211;
+                                                                        let _e1206 = vec3<f32>(_e936, _e956, _e976);
+                                                                        let _e1207 = vec3<f32>(_e990, _e1003, _e1016);
+                                                                        let _e1208 = vec3<f32>(_e1030, _e1043, _e1056);
+                                                                        let _e1209 = (_e990 - _e936);
+                                                                        let _e1210 = (_e1003 - _e956);
+                                                                        let _e1211 = (_e1016 - _e976);
+                                                                        let _e1212 = vec3<f32>(_e1209, _e1210, _e1211);
+                                                                        let _e1213 = (_e1030 - _e990);
+                                                                        let _e1214 = (_e1043 - _e1003);
+                                                                        let _e1215 = (_e1056 - _e1016);
+                                                                        let _e1216 = vec3<f32>(_e1213, _e1214, _e1215);
+                                                                        let _e1217 = (_e936 - _e1030);
+                                                                        let _e1218 = (_e956 - _e1043);
+                                                                        let _e1219 = (_e976 - _e1056);
+                                                                        let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
+                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1209) & 2147483647u));
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
+                                                                        let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
+                                                                        let _e1231 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
+                                                                        let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
+                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
+                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
+                                                                        let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
+                                                                        let _e1244 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
+                                                                        let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
+                                                                        let _e1249 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                        let _e1252 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
+                                                                        let _e1254 = select(_e1252, _e1249, (_e1249 > _e1252));
+                                                                        let _e1257 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
+                                                                        let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                                                        let _e1261 = select(_e1246, _e1233, (_e1233 > _e1246));
+                                                                        let _e1263 = select(_e1259, _e1261, (_e1261 > _e1259));
+                                                                        if (_e1233 == _e1263) {
+                                                                            phi_1811_ = _e1074;
+                                                                            phi_1812_ = _e1071;
+                                                                            phi_1813_ = _e1065;
+                                                                            phi_1814_ = _e1062;
+                                                                            phi_1815_ = _e1206;
+                                                                            phi_1816_ = _e1220;
+                                                                            phi_1817_ = _e1216;
+                                                                            phi_1818_ = _e1212;
                                                                         } else {
-                                                                            let _e1264 = (_e1245 == _e1262);
-                                                                            let _e1269 = vec3(_e1264);
-                                                                            phi_1810_ = select(_e1064, _e1082, _e1264);
-                                                                            phi_1811_ = select(_e1061, _e1079, _e1264);
-                                                                            phi_1812_ = select(_e1082, _e1073, _e1264);
-                                                                            phi_1813_ = select(_e1079, _e1070, _e1264);
-                                                                            phi_1814_ = select(_e1207, _e1206, _e1269);
-                                                                            phi_1815_ = select(_e1215, _e1211, _e1269);
-                                                                            phi_1816_ = select(_e1211, _e1219, _e1269);
-                                                                            phi_1817_ = select(_e1219, _e1215, _e1269);
+                                                                            let _e1265 = (_e1246 == _e1263);
+                                                                            let _e1270 = vec3(_e1265);
+                                                                            phi_1811_ = select(_e1065, _e1083, _e1265);
+                                                                            phi_1812_ = select(_e1062, _e1080, _e1265);
+                                                                            phi_1813_ = select(_e1083, _e1074, _e1265);
+                                                                            phi_1814_ = select(_e1080, _e1071, _e1265);
+                                                                            phi_1815_ = select(_e1208, _e1207, _e1270);
+                                                                            phi_1816_ = select(_e1216, _e1212, _e1270);
+                                                                            phi_1817_ = select(_e1212, _e1220, _e1270);
+                                                                            phi_1818_ = select(_e1220, _e1216, _e1270);
                                                                         }
-                                                                        let _e1275 = phi_1810_;
-                                                                        let _e1277 = phi_1811_;
-                                                                        let _e1279 = phi_1812_;
-                                                                        let _e1281 = phi_1813_;
-                                                                        let _e1283 = phi_1814_;
-                                                                        let _e1285 = phi_1815_;
-                                                                        let _e1287 = phi_1816_;
-                                                                        let _e1289 = phi_1817_;
-                                                                        let _e1296 = ((_e1287.y * _e1285.z) - (_e1285.y * _e1287.z));
-                                                                        let _e1301 = ((_e1287.z * _e1285.x) - (_e1285.z * _e1287.x));
-                                                                        let _e1304 = ((_e1287.x * _e1285.y) - (_e1285.x * _e1287.y));
-                                                                        if (_e1104 >= _e1108) {
-                                                                            phi_1848_ = select(true, false, (_e1104 >= _e1112));
+                                                                        let _e1276 = phi_1811_;
+                                                                        let _e1278 = phi_1812_;
+                                                                        let _e1280 = phi_1813_;
+                                                                        let _e1282 = phi_1814_;
+                                                                        let _e1284 = phi_1815_;
+                                                                        let _e1286 = phi_1816_;
+                                                                        let _e1288 = phi_1817_;
+                                                                        let _e1290 = phi_1818_;
+                                                                        let _e1297 = ((_e1288.y * _e1286.z) - (_e1286.y * _e1288.z));
+                                                                        let _e1302 = ((_e1288.z * _e1286.x) - (_e1286.z * _e1288.x));
+                                                                        let _e1305 = ((_e1288.x * _e1286.y) - (_e1286.x * _e1288.y));
+                                                                        if (_e1105 >= _e1109) {
+                                                                            phi_1849_ = select(true, false, (_e1105 >= _e1113));
                                                                         } else {
-                                                                            phi_1848_ = true;
+                                                                            phi_1849_ = true;
                                                                         }
-                                                                        let _e1309 = phi_1848_;
-                                                                        if _e1309 {
-                                                                            phi_1857_ = select(_e1207, _e1206, vec3((_e1108 >= _e1112)));
+                                                                        let _e1310 = phi_1849_;
+                                                                        if _e1310 {
+                                                                            phi_1858_ = select(_e1208, _e1207, vec3((_e1109 >= _e1113)));
                                                                         } else {
-                                                                            phi_1857_ = _e1205;
+                                                                            phi_1858_ = _e1206;
                                                                         }
-                                                                        let _e1314 = phi_1857_;
-                                                                        let _e1319 = (((_e1296 * _e318) + (_e1301 * _e356)) + (_e1304 * _e394));
-                                                                        let _e1330 = (((_e1296 * (_e1314.x - _e293)) + (_e1301 * (_e1314.y - _e332))) + (_e1304 * (_e1314.z - _e370)));
-                                                                        let _e1332 = (_e1277 - _e1281);
-                                                                        let _e1333 = (_e1275 - _e1279);
-                                                                        let _e1341 = (-(((_e1281 * _e1332) + (_e1279 * _e1333))) / ((_e1332 * _e1332) + (_e1333 * _e1333)));
+                                                                        let _e1315 = phi_1858_;
+                                                                        let _e1326 = (((_e1297 * (_e1315.x - _e294)) + (_e1302 * (_e1315.y - _e333))) + (_e1305 * (_e1315.z - _e371)));
+                                                                        let _e1331 = (((_e1297 * _e319) + (_e1302 * _e357)) + (_e1305 * _e395));
+                                                                        let _e1332 = (_e1278 - _e1282);
+                                                                        let _e1333 = (_e1276 - _e1280);
+                                                                        let _e1341 = (-(((_e1282 * _e1332) + (_e1280 * _e1333))) / ((_e1332 * _e1332) + (_e1333 * _e1333)));
                                                                         let _e1343 = select(1f, _e1341, (_e1341 < 1f));
                                                                         let _e1345 = select(0f, _e1343, (_e1343 > 0f));
-                                                                        let _e1358 = ((_e1283.x + (_e1289.x * _e1345)) - _e293);
-                                                                        let _e1359 = ((_e1283.y + (_e1289.y * _e1345)) - _e332);
-                                                                        let _e1360 = ((_e1283.z + (_e1289.z * _e1345)) - _e370);
-                                                                        let _e1361 = (_e1360 / _e394);
+                                                                        let _e1358 = ((_e1284.x + (_e1290.x * _e1345)) - _e294);
+                                                                        let _e1359 = ((_e1284.y + (_e1290.y * _e1345)) - _e333);
+                                                                        let _e1360 = ((_e1284.z + (_e1290.z * _e1345)) - _e371);
+                                                                        let _e1361 = (_e1360 / _e395);
                                                                         let _e1373 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
                                                                         let _e1376 = bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u));
                                                                         let _e1378 = select(_e1376, _e1373, (_e1373 > _e1376));
                                                                         let _e1381 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
                                                                         let _e1383 = select(_e1381, _e1378, (_e1378 > _e1381));
-                                                                        let _e1389 = bitcast<f32>((bitcast<u32>(_e1296) & 2147483647u));
-                                                                        let _e1392 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
+                                                                        let _e1389 = bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u));
+                                                                        let _e1392 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
                                                                         let _e1394 = select(_e1392, _e1389, (_e1389 > _e1392));
-                                                                        let _e1397 = bitcast<f32>((bitcast<u32>(_e1304) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1296 * _e1358) + (_e1301 * _e1359)) + (_e1304 * _e1360)) - _e1330)) & 2147483647u)) <= ((0.0000009536743f * select(_e1262, _e1383, (_e1383 > _e1262))) * select(_e1397, _e1394, (_e1394 > _e1397)))) {
-                                                                            let _e1407 = bitcast<f32>((bitcast<u32>(_e1287.x) & 2147483647u));
-                                                                            let _e1410 = bitcast<f32>((bitcast<u32>(_e1287.y) & 2147483647u));
+                                                                        let _e1397 = bitcast<f32>((bitcast<u32>(_e1305) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1297 * _e1358) + (_e1302 * _e1359)) + (_e1305 * _e1360)) - _e1326)) & 2147483647u)) <= ((0.0000009536743f * select(_e1263, _e1383, (_e1383 > _e1263))) * select(_e1397, _e1394, (_e1394 > _e1397)))) {
+                                                                            let _e1407 = bitcast<f32>((bitcast<u32>(_e1288.x) & 2147483647u));
+                                                                            let _e1410 = bitcast<f32>((bitcast<u32>(_e1288.y) & 2147483647u));
                                                                             let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                            let _e1415 = bitcast<f32>((bitcast<u32>(_e1287.z) & 2147483647u));
-                                                                            let _e1421 = bitcast<f32>((bitcast<u32>(_e1285.x) & 2147483647u));
-                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1285.y) & 2147483647u));
+                                                                            let _e1415 = bitcast<f32>((bitcast<u32>(_e1288.z) & 2147483647u));
+                                                                            let _e1421 = bitcast<f32>((bitcast<u32>(_e1286.x) & 2147483647u));
+                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1286.y) & 2147483647u));
                                                                             let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                            let _e1429 = bitcast<f32>((bitcast<u32>(_e1285.z) & 2147483647u));
-                                                                            phi_2024_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1319) & 2147483647u)) > ((0.0000038146973f * select(_e1415, _e1412, (_e1412 > _e1415))) * select(_e1429, _e1426, (_e1426 > _e1429)))));
-                                                                        } else {
-                                                                            phi_2024_ = true;
-                                                                        }
-                                                                        let _e1436 = phi_2024_;
-                                                                        if _e1436 {
-                                                                            let _e1447 = ((((_e1296 * (_e1358 - (_e318 * _e1361))) + (_e1301 * (_e1359 - (_e356 * _e1361)))) + (_e1304 * (_e1360 - _e1360))) / _e1319);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u)) <= _e1262) {
-                                                                                phi_2048_ = (_e1361 + _e1447);
+                                                                            let _e1429 = bitcast<f32>((bitcast<u32>(_e1286.z) & 2147483647u));
+                                                                            let _e1433 = (bitcast<f32>((bitcast<u32>(_e1331) & 2147483647u)) > ((0.0000038146973f * select(_e1415, _e1412, (_e1412 > _e1415))) * select(_e1429, _e1426, (_e1426 > _e1429))));
+                                                                            if _e1433 {
+                                                                                phi_2023_ = (_e1326 / _e1331);
                                                                             } else {
-                                                                                phi_2048_ = _e1361;
+                                                                                phi_2023_ = f32();
                                                                             }
-                                                                            let _e1454 = phi_2048_;
-                                                                            phi_2049_ = _e1454;
+                                                                            let _e1436 = phi_2023_;
+                                                                            phi_2025_ = _e1436;
+                                                                            phi_2026_ = select(true, false, _e1433);
                                                                         } else {
-                                                                            phi_2049_ = (_e1330 / _e1319);
+                                                                            phi_2025_ = f32();
+                                                                            phi_2026_ = true;
                                                                         }
-                                                                        let _e1456 = phi_2049_;
-                                                                        let _e1458 = select(_e1195, _e1456, (_e1456 < _e1195));
-                                                                        let _e1460 = select(_e1187, _e1458, (_e1458 > _e1187));
-                                                                        if (_e1460 >= _e444) {
-                                                                            let _e1462 = (_e1460 <= _e873);
-                                                                            if _e1462 {
-                                                                                let _e1463 = (1f / _e1114);
-                                                                                phi_2072_ = type_18(_e1460, (_e1108 * _e1463), (_e1112 * _e1463), _e901);
+                                                                        let _e1439 = phi_2025_;
+                                                                        let _e1441 = phi_2026_;
+                                                                        if _e1441 {
+                                                                            let _e1449 = (((_e1297 * (_e1358 - (_e319 * _e1361))) + (_e1302 * (_e1359 - (_e357 * _e1361)))) / _e1331);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u)) <= _e1263) {
+                                                                                phi_2046_ = (_e1361 + _e1449);
                                                                             } else {
-                                                                                phi_2072_ = type_18();
+                                                                                phi_2046_ = _e1361;
                                                                             }
-                                                                            let _e1468 = phi_2072_;
-                                                                            phi_2074_ = _e1468;
-                                                                            phi_2075_ = select(true, false, _e1462);
+                                                                            let _e1456 = phi_2046_;
+                                                                            phi_2047_ = _e1456;
                                                                         } else {
-                                                                            phi_2074_ = type_18();
-                                                                            phi_2075_ = true;
+                                                                            phi_2047_ = _e1439;
                                                                         }
-                                                                        let _e1471 = phi_2074_;
-                                                                        let _e1473 = phi_2075_;
-                                                                        if _e1473 {
-                                                                            phi_2079_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1458 = phi_2047_;
+                                                                        let _e1460 = select(_e1196, _e1458, (_e1458 < _e1196));
+                                                                        let _e1462 = select(_e1188, _e1460, (_e1460 > _e1188));
+                                                                        if (_e1462 >= _e445) {
+                                                                            let _e1464 = (_e1462 <= _e874);
+                                                                            if _e1464 {
+                                                                                let _e1465 = (1f / _e1115);
+                                                                                phi_2070_ = type_18(_e1462, (_e1109 * _e1465), (_e1113 * _e1465), _e902);
+                                                                            } else {
+                                                                                phi_2070_ = type_18();
+                                                                            }
+                                                                            let _e1470 = phi_2070_;
+                                                                            phi_2072_ = _e1470;
+                                                                            phi_2073_ = select(true, false, _e1464);
                                                                         } else {
-                                                                            phi_2079_ = _e1471;
+                                                                            phi_2072_ = type_18();
+                                                                            phi_2073_ = true;
                                                                         }
-                                                                        let _e1475 = phi_2079_;
-                                                                        phi_2080_ = _e1475;
+                                                                        let _e1473 = phi_2072_;
+                                                                        let _e1475 = phi_2073_;
+                                                                        if _e1475 {
+                                                                            phi_2077_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2077_ = _e1473;
+                                                                        }
+                                                                        let _e1477 = phi_2077_;
+                                                                        phi_2078_ = _e1477;
                                                                     }
-                                                                    let _e1477 = phi_2080_;
-                                                                    phi_2081_ = _e1477;
-                                                                    phi_2082_ = _e1204;
+                                                                    let _e1479 = phi_2078_;
+                                                                    phi_2079_ = _e1479;
+                                                                    phi_2080_ = _e1205;
                                                                 }
-                                                                let _e1479 = phi_2081_;
-                                                                let _e1481 = phi_2082_;
-                                                                phi_2086_ = _e1479;
-                                                                phi_2087_ = _e1481;
+                                                                let _e1481 = phi_2079_;
+                                                                let _e1483 = phi_2080_;
+                                                                phi_2084_ = _e1481;
+                                                                phi_2085_ = _e1483;
                                                             }
-                                                            let _e1483 = phi_2086_;
-                                                            let _e1485 = phi_2087_;
-                                                            phi_2088_ = _e1483;
-                                                            phi_2089_ = _e1139;
-                                                            phi_2090_ = _e1485;
+                                                            let _e1485 = phi_2084_;
+                                                            let _e1487 = phi_2085_;
+                                                            phi_2086_ = _e1485;
+                                                            phi_2087_ = _e1140;
+                                                            phi_2088_ = _e1487;
                                                         }
-                                                        let _e1487 = phi_2088_;
-                                                        let _e1489 = phi_2089_;
-                                                        let _e1491 = phi_2090_;
-                                                        phi_2091_ = _e1487;
-                                                        phi_2092_ = _e1489;
-                                                        phi_2093_ = _e1491;
+                                                        let _e1489 = phi_2086_;
+                                                        let _e1491 = phi_2087_;
+                                                        let _e1493 = phi_2088_;
+                                                        phi_2089_ = _e1489;
+                                                        phi_2090_ = _e1491;
+                                                        phi_2091_ = _e1493;
                                                     }
-                                                    let _e1493 = phi_2091_;
-                                                    let _e1495 = phi_2092_;
-                                                    let _e1497 = phi_2093_;
-                                                    phi_2101_ = _e1493;
-                                                    phi_2102_ = select(_e1497, true, _e1495);
+                                                    let _e1495 = phi_2089_;
+                                                    let _e1497 = phi_2090_;
+                                                    let _e1499 = phi_2091_;
+                                                    phi_2099_ = _e1495;
+                                                    phi_2100_ = select(_e1499, true, _e1497);
                                                 } else {
-                                                    phi_2101_ = type_18();
-                                                    phi_2102_ = true;
+                                                    phi_2099_ = type_18();
+                                                    phi_2100_ = true;
                                                 }
-                                                let _e1500 = phi_2101_;
-                                                let _e1502 = phi_2102_;
-                                                if _e1502 {
-                                                    phi_2106_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1502 = phi_2099_;
+                                                let _e1504 = phi_2100_;
+                                                if _e1504 {
+                                                    phi_2104_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2106_ = _e1500;
+                                                    phi_2104_ = _e1502;
                                                 }
-                                                let _e1504 = phi_2106_;
-                                                if (_e1504.member_3 != 4294967295u) {
-                                                    if (_e901 != 4294967295u) {
-                                                        phi_2118_ = type_4(0u, 8u);
-                                                        phi_2121_ = _e1504;
+                                                let _e1506 = phi_2104_;
+                                                if (_e1506.member_3 != 4294967295u) {
+                                                    if (_e902 != 4294967295u) {
+                                                        phi_2116_ = type_4(0u, 8u);
+                                                        phi_2119_ = _e1506;
                                                         loop {
-                                                            let _e1509 = phi_2118_;
-                                                            let _e1511 = phi_2121_;
-                                                            if (_e1509.member < _e1509.member_1) {
-                                                                phi_2119_ = type_4((_e1509.member + 1u), _e1509.member_1);
-                                                                phi_2144_ = type_4(1u, _e1509.member);
+                                                            let _e1511 = phi_2116_;
+                                                            let _e1513 = phi_2119_;
+                                                            if (_e1511.member < _e1511.member_1) {
+                                                                phi_2117_ = type_4((_e1511.member + 1u), _e1511.member_1);
+                                                                phi_2142_ = type_4(1u, _e1511.member);
                                                             } else {
-                                                                phi_2119_ = _e1509;
-                                                                phi_2144_ = type_4(0u, type_4().member_1);
+                                                                phi_2117_ = _e1511;
+                                                                phi_2142_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1524 = phi_2119_;
-                                                            let _e1526 = phi_2144_;
-                                                            let _e1530 = (bitcast<i32>(_e1526.member) != 0i);
-                                                            if _e1530 {
-                                                                let _e1531 = (_e1526.member_1 < 8u);
-                                                                if _e1531 {
+                                                            let _e1526 = phi_2117_;
+                                                            let _e1528 = phi_2142_;
+                                                            let _e1532 = (bitcast<i32>(_e1528.member) != 0i);
+                                                            if _e1532 {
+                                                                let _e1533 = (_e1528.member_1 < 8u);
+                                                                if _e1533 {
                                                                 } else {
-                                                                    phi_3440_ = true;
+                                                                    phi_3438_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1536 = local_7[_e1526.member_1].member;
-                                                                if (_e1511.member < _e1536) {
-                                                                    phi_2177_ = true;
+                                                                let _e1538 = local_7[_e1528.member_1].member;
+                                                                if (_e1513.member < _e1538) {
+                                                                    phi_2175_ = true;
                                                                 } else {
-                                                                    let _e1538 = local_7[_e1526.member_1].member;
-                                                                    if (_e1511.member == _e1538) {
-                                                                        let _e1543 = local_7[_e1526.member_1].member_3;
-                                                                        phi_2176_ = (_e1511.member_3 < _e1543);
+                                                                    let _e1540 = local_7[_e1528.member_1].member;
+                                                                    if (_e1513.member == _e1540) {
+                                                                        let _e1545 = local_7[_e1528.member_1].member_3;
+                                                                        phi_2174_ = (_e1513.member_3 < _e1545);
                                                                     } else {
-                                                                        phi_2176_ = false;
+                                                                        phi_2174_ = false;
                                                                     }
-                                                                    let _e1546 = phi_2176_;
-                                                                    phi_2177_ = _e1546;
+                                                                    let _e1548 = phi_2174_;
+                                                                    phi_2175_ = _e1548;
                                                                 }
-                                                                let _e1548 = phi_2177_;
-                                                                if _e1548 {
-                                                                    if _e1531 {
+                                                                let _e1550 = phi_2175_;
+                                                                if _e1550 {
+                                                                    if _e1533 {
                                                                     } else {
-                                                                        phi_3440_ = true;
+                                                                        phi_3438_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1549 = local_7[_e1526.member_1];
-                                                                    local_7[_e1526.member_1] = type_18(_e1511.member, _e1511.member_1, _e1511.member_2, _e1511.member_3);
-                                                                    phi_2198_ = type_18(_e1549.member, _e1549.member_1, _e1549.member_2, _e1549.member_3);
+                                                                    let _e1551 = local_7[_e1528.member_1];
+                                                                    local_7[_e1528.member_1] = type_18(_e1513.member, _e1513.member_1, _e1513.member_2, _e1513.member_3);
+                                                                    phi_2196_ = type_18(_e1551.member, _e1551.member_1, _e1551.member_2, _e1551.member_3);
                                                                 } else {
-                                                                    phi_2198_ = _e1511;
+                                                                    phi_2196_ = _e1513;
                                                                 }
-                                                                let _e1560 = phi_2198_;
-                                                                phi_2122_ = _e1560;
+                                                                let _e1562 = phi_2196_;
+                                                                phi_2120_ = _e1562;
                                                             } else {
-                                                                phi_2122_ = type_18();
+                                                                phi_2120_ = type_18();
                                                             }
-                                                            let _e1562 = phi_2122_;
+                                                            let _e1564 = phi_2120_;
                                                             continue;
                                                             continuing {
-                                                                phi_2118_ = _e1524;
-                                                                phi_2121_ = _e1562;
-                                                                phi_3440_ = _e871;
-                                                                break if !(_e1530);
+                                                                phi_2116_ = _e1526;
+                                                                phi_2119_ = _e1564;
+                                                                phi_3438_ = _e872;
+                                                                break if !(_e1532);
                                                             }
                                                         }
-                                                        let _e1565 = phi_3440_;
-                                                        phi_3714_ = _e873;
-                                                        phi_3600_ = _e1565;
-                                                        if _e1565 {
+                                                        let _e1567 = phi_3438_;
+                                                        phi_3712_ = _e874;
+                                                        phi_3598_ = _e1567;
+                                                        if _e1567 {
                                                             break;
                                                         }
-                                                        let _e1568 = local_7[7u].member_3;
-                                                        if (_e1568 != 4294967295u) {
-                                                            let _e1572 = local_7[7u].member;
-                                                            phi_3805_ = _e1572;
+                                                        let _e1570 = local_7[7u].member_3;
+                                                        if (_e1570 != 4294967295u) {
+                                                            let _e1574 = local_7[7u].member;
+                                                            phi_3803_ = _e1574;
                                                         } else {
-                                                            phi_3805_ = _e873;
+                                                            phi_3803_ = _e874;
                                                         }
-                                                        let _e1574 = phi_3805_;
-                                                        phi_3804_ = _e1574;
-                                                        phi_3603_ = _e1565;
+                                                        let _e1576 = phi_3803_;
+                                                        phi_3802_ = _e1576;
+                                                        phi_3601_ = _e1567;
                                                     } else {
-                                                        phi_3804_ = _e873;
-                                                        phi_3603_ = _e871;
+                                                        phi_3802_ = _e874;
+                                                        phi_3601_ = _e872;
                                                     }
-                                                    let _e1576 = phi_3804_;
-                                                    let _e1578 = phi_3603_;
-                                                    phi_3803_ = _e1576;
-                                                    phi_3602_ = _e1578;
+                                                    let _e1578 = phi_3802_;
+                                                    let _e1580 = phi_3601_;
+                                                    phi_3801_ = _e1578;
+                                                    phi_3600_ = _e1580;
                                                 } else {
-                                                    phi_3803_ = _e873;
-                                                    phi_3602_ = _e871;
+                                                    phi_3801_ = _e874;
+                                                    phi_3600_ = _e872;
                                                 }
-                                                let _e1580 = phi_3803_;
-                                                let _e1582 = phi_3602_;
-                                                phi_3802_ = _e1580;
-                                                phi_3601_ = _e1582;
+                                                let _e1582 = phi_3801_;
+                                                let _e1584 = phi_3600_;
+                                                phi_3800_ = _e1582;
+                                                phi_3599_ = _e1584;
                                             } else {
-                                                phi_3802_ = _e873;
-                                                phi_3601_ = _e871;
+                                                phi_3800_ = _e874;
+                                                phi_3599_ = _e872;
                                             }
-                                            let _e1584 = phi_3802_;
-                                            let _e1586 = phi_3601_;
+                                            let _e1586 = phi_3800_;
+                                            let _e1588 = phi_3599_;
                                             continue;
                                             continuing {
-                                                phi_3467_ = _e1586;
-                                                phi_3439_ = _e1584;
-                                                phi_962_ = _e888;
-                                                phi_3714_ = _e1584;
-                                                phi_3600_ = _e1586;
-                                                break if !(_e894);
+                                                phi_3465_ = _e1588;
+                                                phi_3437_ = _e1586;
+                                                phi_963_ = _e889;
+                                                phi_3712_ = _e1586;
+                                                phi_3598_ = _e1588;
+                                                break if !(_e895);
                                             }
                                         }
-                                        let _e1589 = phi_3714_;
-                                        let _e1591 = phi_3600_;
-                                        phi_3605_ = _e1591;
-                                        if _e1591 {
+                                        let _e1591 = phi_3712_;
+                                        let _e1593 = phi_3598_;
+                                        phi_3603_ = _e1593;
+                                        if _e1593 {
                                             break;
                                         }
-                                        phi_3679_ = _e1589;
-                                        phi_3609_ = _e1591;
-                                        phi_3159_ = _e515;
-                                        phi_3160_ = false;
-                                        phi_3161_ = _e519;
+                                        phi_3677_ = _e1591;
+                                        phi_3607_ = _e1593;
+                                        phi_3157_ = _e516;
+                                        phi_3158_ = false;
+                                        phi_3159_ = _e520;
                                     } else {
-                                        let _e529 = (_e515.member_1 < _e81);
-                                        if _e529 {
-                                            if _e529 {
+                                        let _e530 = (_e516.member_1 < _e82);
+                                        if _e530 {
+                                            if _e530 {
                                             } else {
-                                                phi_3605_ = true;
+                                                phi_3603_ = true;
                                                 break;
                                             }
-                                            let _e531 = global_4.member[_e515.member_1];
-                                            phi_2228_ = _e531;
+                                            let _e532 = global_4.member[_e516.member_1];
+                                            phi_2226_ = _e532;
                                         } else {
-                                            phi_2228_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2226_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e533 = phi_2228_;
-                                        let _e548 = ((10u * _e244) & 31u);
-                                        let _e551 = ((_e533.member[0] >> bitcast<u32>(_e548)) & 1023u);
-                                        let _e556 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e116));
-                                        let _e562 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e551) * _e556)) ^ _e116)));
-                                        let _e566 = select(select(_e515.member.member_1[0], _e562, (_e562 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e551 == 1023u));
-                                        let _e568 = ((10u * _e243) & 31u);
-                                        let _e571 = ((_e533.member[0] >> bitcast<u32>(_e568)) & 1023u);
-                                        let _e576 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e116));
-                                        let _e582 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e571) * _e576)) ^ _e116)));
-                                        let _e586 = select(select(_e515.member.member_1[1], _e582, (_e582 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e571 == 1023u));
-                                        let _e588 = ((10u * _e245) & 31u);
-                                        let _e591 = ((_e533.member[0] >> bitcast<u32>(_e588)) & 1023u);
-                                        let _e596 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e116));
-                                        let _e602 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e591) * _e596)) ^ _e116)));
-                                        let _e606 = select(select(_e515.member.member_1[2], _e602, (_e602 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e591 == 1023u));
-                                        let _e609 = ((_e533.member[1] >> bitcast<u32>(_e548)) & 1023u);
-                                        let _e615 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e609) * _e556)) ^ _e116)));
-                                        let _e619 = select(select(_e515.member.member_1[0], _e615, (_e615 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e609 == 1023u));
-                                        let _e622 = ((_e533.member[1] >> bitcast<u32>(_e568)) & 1023u);
-                                        let _e628 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e622) * _e576)) ^ _e116)));
-                                        let _e632 = select(select(_e515.member.member_1[1], _e628, (_e628 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e622 == 1023u));
-                                        let _e635 = ((_e533.member[1] >> bitcast<u32>(_e588)) & 1023u);
-                                        let _e641 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e635) * _e596)) ^ _e116)));
-                                        let _e645 = select(select(_e515.member.member_1[2], _e641, (_e641 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e635 == 1023u));
-                                        let _e651 = ((_e533.member_1[0] >> bitcast<u32>(_e548)) & 1023u);
-                                        let _e657 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e651) * _e556)) ^ _e116)));
-                                        let _e661 = select(select(_e515.member.member_1[0], _e657, (_e657 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e651 == 1023u));
-                                        let _e664 = ((_e533.member_1[0] >> bitcast<u32>(_e568)) & 1023u);
-                                        let _e670 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e664) * _e576)) ^ _e116)));
-                                        let _e674 = select(select(_e515.member.member_1[1], _e670, (_e670 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e664 == 1023u));
-                                        let _e677 = ((_e533.member_1[0] >> bitcast<u32>(_e588)) & 1023u);
-                                        let _e683 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e677) * _e596)) ^ _e116)));
-                                        let _e687 = select(select(_e515.member.member_1[2], _e683, (_e683 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e677 == 1023u));
-                                        let _e690 = ((_e533.member_1[1] >> bitcast<u32>(_e548)) & 1023u);
-                                        let _e696 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e690) * _e556)) ^ _e116)));
-                                        let _e700 = select(select(_e515.member.member_1[0], _e696, (_e696 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e690 == 1023u));
-                                        let _e703 = ((_e533.member_1[1] >> bitcast<u32>(_e568)) & 1023u);
-                                        let _e709 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e703) * _e576)) ^ _e116)));
-                                        let _e713 = select(select(_e515.member.member_1[1], _e709, (_e709 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e703 == 1023u));
-                                        let _e716 = ((_e533.member_1[1] >> bitcast<u32>(_e588)) & 1023u);
-                                        let _e722 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e716) * _e596)) ^ _e116)));
-                                        let _e726 = select(select(_e515.member.member_1[2], _e722, (_e722 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e716 == 1023u));
-                                        let _e731 = type_52(type_44(array<f32, 3>(_e566, _e586, _e606), array<f32, 3>(_e619, _e632, _e645)), _e533.member_2);
-                                        let _e736 = type_52(type_44(array<f32, 3>(_e661, _e674, _e687), array<f32, 3>(_e700, _e713, _e726)), _e533.member_3);
-                                        let _e741 = ((_e566 - _e316) * _e321);
-                                        let _e742 = ((_e661 - _e316) * _e321);
-                                        let _e743 = ((_e619 - _e317) * _e321);
-                                        let _e744 = ((_e700 - _e317) * _e321);
-                                        let _e749 = ((_e586 - _e354) * _e359);
-                                        let _e750 = ((_e674 - _e354) * _e359);
-                                        let _e751 = ((_e632 - _e355) * _e359);
-                                        let _e752 = ((_e713 - _e355) * _e359);
-                                        let _e757 = ((_e606 - _e392) * _e397);
-                                        let _e758 = ((_e687 - _e392) * _e397);
-                                        let _e759 = ((_e645 - _e393) * _e397);
-                                        let _e760 = ((_e726 - _e393) * _e397);
-                                        let _e762 = select(_e759, _e757, (_e757 < _e759));
-                                        let _e764 = select(_e760, _e758, (_e758 < _e760));
-                                        let _e766 = select(_e759, _e757, (_e757 > _e759));
-                                        let _e768 = select(_e760, _e758, (_e758 > _e760));
-                                        let _e770 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e772 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e774 = select(_e751, _e749, (_e749 < _e751));
-                                        let _e776 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 > _e776));
-                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
-                                        let _e784 = select(_e764, _e780, (_e780 > _e764));
-                                        let _e786 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e788 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e790 = select(_e751, _e749, (_e749 > _e751));
-                                        let _e792 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
-                                        let _e796 = select(_e792, _e788, (_e788 < _e792));
-                                        let _e801 = -(_e762);
-                                        let _e802 = -(_e764);
-                                        let _e809 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e801, _e766, (_e766 > _e801)) * 0.0000019073523f));
-                                        let _e810 = (select(_e768, _e796, (_e796 < _e768)) + (select(_e802, _e768, (_e768 > _e802)) * 0.0000019073523f));
-                                        let _e812 = select(_e444, _e782, (_e782 > _e444));
-                                        let _e814 = select(_e444, _e784, (_e784 > _e444));
-                                        let _e819 = (_e812 <= select(_e477, _e809, (_e809 < _e477)));
-                                        let _e820 = (_e814 <= select(_e477, _e810, (_e810 < _e477)));
-                                        let _e821 = (_e812 <= _e814);
-                                        if _e819 {
+                                        let _e534 = phi_2226_;
+                                        let _e549 = ((10u * _e245) & 31u);
+                                        let _e552 = ((_e534.member[0] >> bitcast<u32>(_e549)) & 1023u);
+                                        let _e557 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[0] - _e516.member.member[0]) * 0.0009775171f)) ^ _e117));
+                                        let _e563 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e552) * _e557)) ^ _e117)));
+                                        let _e567 = select(select(_e516.member.member_1[0], _e563, (_e563 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e552 == 1023u));
+                                        let _e569 = ((10u * _e244) & 31u);
+                                        let _e572 = ((_e534.member[0] >> bitcast<u32>(_e569)) & 1023u);
+                                        let _e577 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[1] - _e516.member.member[1]) * 0.0009775171f)) ^ _e117));
+                                        let _e583 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e572) * _e577)) ^ _e117)));
+                                        let _e587 = select(select(_e516.member.member_1[1], _e583, (_e583 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e572 == 1023u));
+                                        let _e589 = ((10u * _e246) & 31u);
+                                        let _e592 = ((_e534.member[0] >> bitcast<u32>(_e589)) & 1023u);
+                                        let _e597 = bitcast<f32>((bitcast<u32>(((_e516.member.member_1[2] - _e516.member.member[2]) * 0.0009775171f)) ^ _e117));
+                                        let _e603 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e597)) ^ _e117)));
+                                        let _e607 = select(select(_e516.member.member_1[2], _e603, (_e603 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e592 == 1023u));
+                                        let _e610 = ((_e534.member[1] >> bitcast<u32>(_e549)) & 1023u);
+                                        let _e616 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e610) * _e557)) ^ _e117)));
+                                        let _e620 = select(select(_e516.member.member_1[0], _e616, (_e616 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e610 == 1023u));
+                                        let _e623 = ((_e534.member[1] >> bitcast<u32>(_e569)) & 1023u);
+                                        let _e629 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e623) * _e577)) ^ _e117)));
+                                        let _e633 = select(select(_e516.member.member_1[1], _e629, (_e629 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e623 == 1023u));
+                                        let _e636 = ((_e534.member[1] >> bitcast<u32>(_e589)) & 1023u);
+                                        let _e642 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e636) * _e597)) ^ _e117)));
+                                        let _e646 = select(select(_e516.member.member_1[2], _e642, (_e642 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e636 == 1023u));
+                                        let _e652 = ((_e534.member_1[0] >> bitcast<u32>(_e549)) & 1023u);
+                                        let _e658 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e652) * _e557)) ^ _e117)));
+                                        let _e662 = select(select(_e516.member.member_1[0], _e658, (_e658 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e652 == 1023u));
+                                        let _e665 = ((_e534.member_1[0] >> bitcast<u32>(_e569)) & 1023u);
+                                        let _e671 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e665) * _e577)) ^ _e117)));
+                                        let _e675 = select(select(_e516.member.member_1[1], _e671, (_e671 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e665 == 1023u));
+                                        let _e678 = ((_e534.member_1[0] >> bitcast<u32>(_e589)) & 1023u);
+                                        let _e684 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e597)) ^ _e117)));
+                                        let _e688 = select(select(_e516.member.member_1[2], _e684, (_e684 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e678 == 1023u));
+                                        let _e691 = ((_e534.member_1[1] >> bitcast<u32>(_e549)) & 1023u);
+                                        let _e697 = (_e516.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e691) * _e557)) ^ _e117)));
+                                        let _e701 = select(select(_e516.member.member_1[0], _e697, (_e697 < _e516.member.member_1[0])), _e516.member.member_1[0], (_e691 == 1023u));
+                                        let _e704 = ((_e534.member_1[1] >> bitcast<u32>(_e569)) & 1023u);
+                                        let _e710 = (_e516.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e704) * _e577)) ^ _e117)));
+                                        let _e714 = select(select(_e516.member.member_1[1], _e710, (_e710 < _e516.member.member_1[1])), _e516.member.member_1[1], (_e704 == 1023u));
+                                        let _e717 = ((_e534.member_1[1] >> bitcast<u32>(_e589)) & 1023u);
+                                        let _e723 = (_e516.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e717) * _e597)) ^ _e117)));
+                                        let _e727 = select(select(_e516.member.member_1[2], _e723, (_e723 < _e516.member.member_1[2])), _e516.member.member_1[2], (_e717 == 1023u));
+                                        let _e732 = type_52(type_44(array<f32, 3>(_e567, _e587, _e607), array<f32, 3>(_e620, _e633, _e646)), _e534.member_2);
+                                        let _e737 = type_52(type_44(array<f32, 3>(_e662, _e675, _e688), array<f32, 3>(_e701, _e714, _e727)), _e534.member_3);
+                                        let _e742 = ((_e567 - _e317) * _e322);
+                                        let _e743 = ((_e662 - _e317) * _e322);
+                                        let _e744 = ((_e620 - _e318) * _e322);
+                                        let _e745 = ((_e701 - _e318) * _e322);
+                                        let _e750 = ((_e587 - _e355) * _e360);
+                                        let _e751 = ((_e675 - _e355) * _e360);
+                                        let _e752 = ((_e633 - _e356) * _e360);
+                                        let _e753 = ((_e714 - _e356) * _e360);
+                                        let _e758 = ((_e607 - _e393) * _e398);
+                                        let _e759 = ((_e688 - _e393) * _e398);
+                                        let _e760 = ((_e646 - _e394) * _e398);
+                                        let _e761 = ((_e727 - _e394) * _e398);
+                                        let _e763 = select(_e760, _e758, (_e758 < _e760));
+                                        let _e765 = select(_e761, _e759, (_e759 < _e761));
+                                        let _e767 = select(_e760, _e758, (_e758 > _e760));
+                                        let _e769 = select(_e761, _e759, (_e759 > _e761));
+                                        let _e771 = select(_e744, _e742, (_e742 < _e744));
+                                        let _e773 = select(_e745, _e743, (_e743 < _e745));
+                                        let _e775 = select(_e752, _e750, (_e750 < _e752));
+                                        let _e777 = select(_e753, _e751, (_e751 < _e753));
+                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
+                                        let _e781 = select(_e777, _e773, (_e773 > _e777));
+                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
+                                        let _e785 = select(_e765, _e781, (_e781 > _e765));
+                                        let _e787 = select(_e744, _e742, (_e742 > _e744));
+                                        let _e789 = select(_e745, _e743, (_e743 > _e745));
+                                        let _e791 = select(_e752, _e750, (_e750 > _e752));
+                                        let _e793 = select(_e753, _e751, (_e751 > _e753));
+                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
+                                        let _e797 = select(_e793, _e789, (_e789 < _e793));
+                                        let _e802 = -(_e763);
+                                        let _e803 = -(_e765);
+                                        let _e810 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e802, _e767, (_e767 > _e802)) * 0.0000019073523f));
+                                        let _e811 = (select(_e769, _e797, (_e797 < _e769)) + (select(_e803, _e769, (_e769 > _e803)) * 0.0000019073523f));
+                                        let _e813 = select(_e445, _e783, (_e783 > _e445));
+                                        let _e815 = select(_e445, _e785, (_e785 > _e445));
+                                        let _e820 = (_e813 <= select(_e478, _e810, (_e810 < _e478)));
+                                        let _e821 = (_e815 <= select(_e478, _e811, (_e811 < _e478)));
+                                        let _e822 = (_e813 <= _e815);
+                                        if _e820 {
+                                            if _e821 {
+                                                if _e822 {
+                                                    phi_3059_ = _e737;
+                                                } else {
+                                                    phi_3059_ = _e732;
+                                                }
+                                                let _e824 = phi_3059_;
+                                                let _e832 = (_e520 % 128u);
+                                                let _e833 = (_e832 < 128u);
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e832] = _e824.member_1;
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e832] = _e824.member.member[0];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e832] = _e824.member.member[1];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e832] = _e824.member.member[2];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e832] = _e824.member.member_1[0];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e832] = _e824.member.member_1[1];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local[_e832] = _e824.member.member_1[2];
+                                                if _e833 {
+                                                } else {
+                                                    phi_3603_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e832] = select(_e815, _e813, (_e813 > _e815));
+                                                if _e822 {
+                                                    phi_3136_ = _e732;
+                                                } else {
+                                                    phi_3136_ = _e737;
+                                                }
+                                                let _e850 = phi_3136_;
+                                                phi_3137_ = _e850;
+                                                phi_3138_ = (_e520 + 1u);
+                                            } else {
+                                                phi_3137_ = type_52();
+                                                phi_3138_ = u32();
+                                            }
+                                            let _e852 = phi_3137_;
+                                            let _e854 = phi_3138_;
+                                            phi_3140_ = _e852;
+                                            phi_3141_ = _e854;
+                                            phi_3142_ = select(true, false, _e821);
+                                        } else {
+                                            phi_3140_ = type_52();
+                                            phi_3141_ = u32();
+                                            phi_3142_ = true;
+                                        }
+                                        let _e857 = phi_3140_;
+                                        let _e859 = phi_3141_;
+                                        let _e861 = phi_3142_;
+                                        if _e861 {
                                             if _e820 {
-                                                if _e821 {
-                                                    phi_3061_ = _e736;
-                                                } else {
-                                                    phi_3061_ = _e731;
-                                                }
-                                                let _e823 = phi_3061_;
-                                                let _e831 = (_e519 % 128u);
-                                                let _e832 = (_e831 < 128u);
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e831] = _e823.member_1;
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e831] = _e823.member.member[0];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e831] = _e823.member.member[1];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e831] = _e823.member.member[2];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e831] = _e823.member.member_1[0];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e831] = _e823.member.member_1[1];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local[_e831] = _e823.member.member_1[2];
-                                                if _e832 {
-                                                } else {
-                                                    phi_3605_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e831] = select(_e814, _e812, (_e812 > _e814));
-                                                if _e821 {
-                                                    phi_3138_ = _e731;
-                                                } else {
-                                                    phi_3138_ = _e736;
-                                                }
-                                                let _e849 = phi_3138_;
-                                                phi_3139_ = _e849;
-                                                phi_3140_ = (_e519 + 1u);
+                                                phi_3149_ = _e732;
                                             } else {
-                                                phi_3139_ = type_52();
-                                                phi_3140_ = u32();
+                                                phi_3149_ = _e737;
                                             }
-                                            let _e851 = phi_3139_;
-                                            let _e853 = phi_3140_;
-                                            phi_3142_ = _e851;
-                                            phi_3143_ = _e853;
-                                            phi_3144_ = select(true, false, _e820);
+                                            let _e863 = phi_3149_;
+                                            phi_3154_ = _e863;
+                                            phi_3155_ = select(_e821, true, _e820);
                                         } else {
-                                            phi_3142_ = type_52();
-                                            phi_3143_ = u32();
-                                            phi_3144_ = true;
+                                            phi_3154_ = _e857;
+                                            phi_3155_ = _e518;
                                         }
-                                        let _e856 = phi_3142_;
-                                        let _e858 = phi_3143_;
-                                        let _e860 = phi_3144_;
-                                        if _e860 {
-                                            if _e819 {
-                                                phi_3151_ = _e731;
-                                            } else {
-                                                phi_3151_ = _e736;
-                                            }
-                                            let _e862 = phi_3151_;
-                                            phi_3156_ = _e862;
-                                            phi_3157_ = select(_e820, true, _e819);
-                                        } else {
-                                            phi_3156_ = _e856;
-                                            phi_3157_ = _e517;
-                                        }
-                                        let _e865 = phi_3156_;
-                                        let _e867 = phi_3157_;
-                                        phi_3679_ = _e477;
-                                        phi_3609_ = _e475;
-                                        phi_3159_ = _e865;
-                                        phi_3160_ = _e867;
-                                        phi_3161_ = select(_e858, _e519, _e860);
+                                        let _e866 = phi_3154_;
+                                        let _e868 = phi_3155_;
+                                        phi_3677_ = _e478;
+                                        phi_3607_ = _e476;
+                                        phi_3157_ = _e866;
+                                        phi_3158_ = _e868;
+                                        phi_3159_ = select(_e859, _e520, _e861);
                                     }
-                                    let _e1593 = phi_3679_;
-                                    let _e1595 = phi_3609_;
-                                    let _e1597 = phi_3159_;
-                                    let _e1599 = phi_3160_;
-                                    let _e1601 = phi_3161_;
-                                    phi_3678_ = _e1593;
-                                    phi_3608_ = _e1595;
-                                    phi_3162_ = _e1597;
-                                    phi_3163_ = (_e481 - 1u);
-                                    phi_3164_ = _e1599;
-                                    phi_3165_ = _e1601;
+                                    let _e1595 = phi_3677_;
+                                    let _e1597 = phi_3607_;
+                                    let _e1599 = phi_3157_;
+                                    let _e1601 = phi_3158_;
+                                    let _e1603 = phi_3159_;
+                                    phi_3676_ = _e1595;
+                                    phi_3606_ = _e1597;
+                                    phi_3160_ = _e1599;
+                                    phi_3161_ = (_e482 - 1u);
+                                    phi_3162_ = _e1601;
+                                    phi_3163_ = _e1603;
                                 } else {
-                                    phi_3678_ = _e477;
-                                    phi_3608_ = _e475;
-                                    phi_3162_ = _e515;
-                                    phi_3163_ = _e481;
-                                    phi_3164_ = _e517;
-                                    phi_3165_ = _e519;
+                                    phi_3676_ = _e478;
+                                    phi_3606_ = _e476;
+                                    phi_3160_ = _e516;
+                                    phi_3161_ = _e482;
+                                    phi_3162_ = _e518;
+                                    phi_3163_ = _e520;
                                 }
-                                let _e1603 = phi_3678_;
-                                let _e1605 = phi_3608_;
-                                let _e1607 = phi_3162_;
-                                let _e1609 = phi_3163_;
-                                let _e1611 = phi_3164_;
-                                let _e1613 = phi_3165_;
-                                phi_3677_ = _e1603;
-                                phi_3607_ = _e1605;
-                                phi_3166_ = _e1607;
-                                phi_3167_ = _e1609;
-                                phi_3168_ = _e1611;
-                                phi_3169_ = _e1613;
+                                let _e1605 = phi_3676_;
+                                let _e1607 = phi_3606_;
+                                let _e1609 = phi_3160_;
+                                let _e1611 = phi_3161_;
+                                let _e1613 = phi_3162_;
+                                let _e1615 = phi_3163_;
+                                phi_3675_ = _e1605;
+                                phi_3605_ = _e1607;
+                                phi_3164_ = _e1609;
+                                phi_3165_ = _e1611;
+                                phi_3166_ = _e1613;
+                                phi_3167_ = _e1615;
                             } else {
-                                phi_3677_ = _e477;
-                                phi_3607_ = _e475;
-                                phi_3166_ = type_52();
+                                phi_3675_ = _e478;
+                                phi_3605_ = _e476;
+                                phi_3164_ = type_52();
+                                phi_3165_ = u32();
+                                phi_3166_ = bool();
                                 phi_3167_ = u32();
-                                phi_3168_ = bool();
-                                phi_3169_ = u32();
                             }
-                            let _e1615 = phi_3677_;
-                            let _e1617 = phi_3607_;
-                            let _e1619 = phi_3166_;
-                            let _e1621 = phi_3167_;
-                            let _e1623 = phi_3168_;
-                            let _e1625 = phi_3169_;
-                            phi_3676_ = _e1615;
-                            phi_3606_ = _e1617;
-                            phi_837_ = _e1619;
-                            phi_840_ = _e1621;
-                            phi_842_ = _e1623;
-                            phi_844_ = _e1625;
-                            phi_3170_ = _e489;
+                            let _e1617 = phi_3675_;
+                            let _e1619 = phi_3605_;
+                            let _e1621 = phi_3164_;
+                            let _e1623 = phi_3165_;
+                            let _e1625 = phi_3166_;
+                            let _e1627 = phi_3167_;
+                            phi_3674_ = _e1617;
+                            phi_3604_ = _e1619;
+                            phi_838_ = _e1621;
+                            phi_841_ = _e1623;
+                            phi_843_ = _e1625;
+                            phi_845_ = _e1627;
+                            phi_3168_ = _e490;
                         } else {
-                            phi_3676_ = _e477;
-                            phi_3606_ = _e475;
-                            phi_837_ = type_52();
-                            phi_840_ = u32();
-                            phi_842_ = bool();
-                            phi_844_ = u32();
-                            phi_3170_ = false;
+                            phi_3674_ = _e478;
+                            phi_3604_ = _e476;
+                            phi_838_ = type_52();
+                            phi_841_ = u32();
+                            phi_843_ = bool();
+                            phi_845_ = u32();
+                            phi_3168_ = false;
                         }
-                        let _e1627 = phi_3676_;
-                        let _e1629 = phi_3606_;
-                        let _e1631 = phi_837_;
-                        let _e1633 = phi_840_;
-                        let _e1635 = phi_842_;
-                        let _e1637 = phi_844_;
-                        let _e1639 = phi_3170_;
+                        let _e1629 = phi_3674_;
+                        let _e1631 = phi_3604_;
+                        let _e1633 = phi_838_;
+                        let _e1635 = phi_841_;
+                        let _e1637 = phi_843_;
+                        let _e1639 = phi_845_;
+                        let _e1641 = phi_3168_;
                         continue;
                         continuing {
-                            phi_3470_ = _e1629;
-                            phi_3390_ = _e1627;
-                            phi_836_ = _e1631;
-                            phi_839_ = _e1633;
-                            phi_841_ = _e1635;
-                            phi_843_ = _e1637;
-                            phi_3605_ = _e1629;
-                            break if !(_e1639);
+                            phi_3468_ = _e1631;
+                            phi_3388_ = _e1629;
+                            phi_837_ = _e1633;
+                            phi_840_ = _e1635;
+                            phi_842_ = _e1637;
+                            phi_844_ = _e1639;
+                            phi_3603_ = _e1631;
+                            break if !(_e1641);
                         }
                     }
-                    let _e1642 = phi_3605_;
-                    if _e1642 {
+                    let _e1644 = phi_3603_;
+                    if _e1644 {
                         break;
                     }
-                    phi_3177_ = type_4(0u, 8u);
+                    phi_3175_ = type_4(0u, 8u);
                     loop {
-                        let _e1644 = phi_3177_;
-                        if (_e1644.member < _e1644.member_1) {
-                            phi_3178_ = type_4((_e1644.member + 1u), _e1644.member_1);
-                            phi_3201_ = type_4(1u, _e1644.member);
+                        let _e1646 = phi_3175_;
+                        if (_e1646.member < _e1646.member_1) {
+                            phi_3176_ = type_4((_e1646.member + 1u), _e1646.member_1);
+                            phi_3199_ = type_4(1u, _e1646.member);
                         } else {
-                            phi_3178_ = _e1644;
-                            phi_3201_ = type_4(0u, type_4().member_1);
+                            phi_3176_ = _e1646;
+                            phi_3199_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1657 = phi_3178_;
-                        let _e1659 = phi_3201_;
-                        let _e1663 = (bitcast<i32>(_e1659.member) != 0i);
-                        if _e1663 {
-                            let _e1664 = (_e1659.member_1 < 8u);
-                            if _e1664 {
+                        let _e1659 = phi_3176_;
+                        let _e1661 = phi_3199_;
+                        let _e1665 = (bitcast<i32>(_e1661.member) != 0i);
+                        if _e1665 {
+                            let _e1666 = (_e1661.member_1 < 8u);
+                            if _e1666 {
                             } else {
-                                phi_3669_ = true;
+                                phi_3667_ = true;
                                 break;
                             }
-                            let _e1666 = local_7[_e1659.member_1];
-                            if (_e1666.member_3 != 4294967295u) {
-                                let _e1672 = -(_e411);
-                                let _e1673 = (_e1672 / 3i);
-                                let _e1680 = bitcast<f32>((bitcast<u32>((_e1673 + 127i)) << bitcast<u32>(23i)));
-                                let _e1688 = (((_e1666.member * _e1680) * _e1680) * bitcast<f32>((bitcast<u32>(((_e1672 - (2i * _e1673)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1690 = select(340282350000000000000000000000000000000f, _e1688, (_e1688 < 340282350000000000000000000000000000000f));
-                                phi_3267_ = type_18(select(-340282350000000000000000000000000000000f, _e1690, (_e1690 > -340282350000000000000000000000000000000f)), _e1666.member_1, _e1666.member_2, _e1666.member_3);
+                            let _e1668 = local_7[_e1661.member_1];
+                            if (_e1668.member_3 != 4294967295u) {
+                                let _e1674 = -(_e412);
+                                let _e1675 = (_e1674 / 3i);
+                                let _e1682 = bitcast<f32>((bitcast<u32>((_e1675 + 127i)) << bitcast<u32>(23i)));
+                                let _e1690 = (((_e1668.member * _e1682) * _e1682) * bitcast<f32>((bitcast<u32>(((_e1674 - (2i * _e1675)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1692 = select(340282350000000000000000000000000000000f, _e1690, (_e1690 < 340282350000000000000000000000000000000f));
+                                phi_3265_ = type_18(select(-340282350000000000000000000000000000000f, _e1692, (_e1692 > -340282350000000000000000000000000000000f)), _e1668.member_1, _e1668.member_2, _e1668.member_3);
                             } else {
-                                phi_3267_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3265_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1695 = phi_3267_;
-                            if _e1664 {
+                            let _e1697 = phi_3265_;
+                            if _e1666 {
                             } else {
-                                phi_3669_ = true;
+                                phi_3667_ = true;
                                 break;
                             }
-                            local_7[_e1659.member_1] = type_18(_e1695.member, _e1695.member_1, _e1695.member_2, _e1695.member_3);
+                            local_7[_e1661.member_1] = type_18(_e1697.member, _e1697.member_1, _e1697.member_2, _e1697.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3177_ = _e1657;
-                            phi_3669_ = _e1642;
-                            break if !(_e1663);
+                            phi_3175_ = _e1659;
+                            phi_3667_ = _e1644;
+                            break if !(_e1665);
                         }
                     }
-                    let _e1703 = phi_3669_;
-                    if _e1703 {
+                    let _e1705 = phi_3667_;
+                    if _e1705 {
                         break;
                     }
-                    let _e1704 = local_7;
-                    if _e132 {
+                    let _e1706 = local_7;
+                    if _e133 {
                     } else {
                         break;
                     }
-                    global_5.member[_e130] = array<type_18, 8>(type_18(_e1704[0].member, _e1704[0].member_1, _e1704[0].member_2, _e1704[0].member_3), type_18(_e1704[1].member, _e1704[1].member_1, _e1704[1].member_2, _e1704[1].member_3), type_18(_e1704[2].member, _e1704[2].member_1, _e1704[2].member_2, _e1704[2].member_3), type_18(_e1704[3].member, _e1704[3].member_1, _e1704[3].member_2, _e1704[3].member_3), type_18(_e1704[4].member, _e1704[4].member_1, _e1704[4].member_2, _e1704[4].member_3), type_18(_e1704[5].member, _e1704[5].member_1, _e1704[5].member_2, _e1704[5].member_3), type_18(_e1704[6].member, _e1704[6].member_1, _e1704[6].member_2, _e1704[6].member_3), type_18(_e1704[7].member, _e1704[7].member_1, _e1704[7].member_2, _e1704[7].member_3));
+                    global_5.member[_e131] = array<type_18, 8>(type_18(_e1706[0].member, _e1706[0].member_1, _e1706[0].member_2, _e1706[0].member_3), type_18(_e1706[1].member, _e1706[1].member_1, _e1706[1].member_2, _e1706[1].member_3), type_18(_e1706[2].member, _e1706[2].member_1, _e1706[2].member_2, _e1706[2].member_3), type_18(_e1706[3].member, _e1706[3].member_1, _e1706[3].member_2, _e1706[3].member_3), type_18(_e1706[4].member, _e1706[4].member_1, _e1706[4].member_2, _e1706[4].member_3), type_18(_e1706[5].member, _e1706[5].member_1, _e1706[5].member_2, _e1706[5].member_3), type_18(_e1706[6].member, _e1706[6].member_1, _e1706[6].member_2, _e1706[6].member_3), type_18(_e1706[7].member, _e1706[7].member_1, _e1706[7].member_2, _e1706[7].member_3));
                 }
             }
             break;

@@ -83,450 +83,452 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_20, 8>;
     var local_10: array<f32, 128>;
-    var phi_402_: i32;
     var phi_403_: i32;
-    var phi_413_: bool;
-    var phi_423_: u32;
+    var phi_404_: i32;
+    var phi_414_: bool;
     var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_443_: i32;
-    var phi_463_: i32;
-    var phi_481_: f32;
-    var phi_487_: f32;
-    var phi_498_: f32;
-    var phi_504_: f32;
-    var phi_527_: f32;
-    var phi_538_: f32;
-    var phi_547_: f32;
-    var phi_553_: f32;
-    var phi_564_: f32;
-    var phi_570_: f32;
-    var phi_593_: f32;
-    var phi_604_: f32;
-    var phi_613_: f32;
-    var phi_619_: f32;
-    var phi_630_: f32;
-    var phi_636_: f32;
-    var phi_659_: f32;
-    var phi_670_: f32;
-    var phi_770_: f32;
+    var phi_425_: u32;
+    var phi_427_: bool;
+    var phi_432_: u32;
+    var phi_444_: i32;
+    var phi_464_: i32;
+    var phi_482_: f32;
+    var phi_488_: f32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_528_: f32;
+    var phi_539_: f32;
+    var phi_548_: f32;
+    var phi_554_: f32;
+    var phi_565_: f32;
+    var phi_571_: f32;
+    var phi_594_: f32;
+    var phi_605_: f32;
+    var phi_614_: f32;
+    var phi_620_: f32;
+    var phi_631_: f32;
+    var phi_637_: f32;
+    var phi_660_: f32;
+    var phi_671_: f32;
     var phi_771_: f32;
-    var phi_4471_: bool;
-    var phi_4327_: f32;
-    var phi_913_: type_51;
-    var phi_916_: u32;
-    var phi_918_: bool;
-    var phi_920_: u32;
-    var phi_931_: bool;
-    var phi_1018_: type_51;
-    var phi_1019_: bool;
-    var phi_1020_: u32;
-    var phi_3200_: u32;
-    var phi_3206_: u32;
-    var phi_3460_: u32;
-    var phi_3461_: u32;
-    var phi_3471_: u32;
-    var phi_3473_: u32;
-    var phi_3474_: bool;
-    var phi_3494_: u32;
-    var phi_3495_: u32;
-    var phi_3499_: type_52;
-    var phi_3844_: type_51;
-    var phi_3921_: type_51;
-    var phi_3922_: type_51;
-    var phi_3923_: u32;
-    var phi_3925_: type_51;
-    var phi_3926_: u32;
-    var phi_3927_: bool;
-    var phi_3936_: type_51;
-    var phi_3941_: type_51;
-    var phi_3942_: bool;
-    var phi_4468_: bool;
-    var phi_4411_: f32;
-    var phi_1039_: type_8;
-    var phi_1040_: type_8;
-    var phi_1063_: type_8;
-    var phi_1104_: u32;
-    var phi_1110_: u32;
-    var phi_1120_: u32;
-    var phi_1136_: u32;
-    var phi_1169_: u32;
-    var phi_1175_: u32;
-    var phi_1602_: u32;
-    var phi_1620_: u32;
-    var phi_1638_: u32;
-    var phi_1658_: u32;
-    var phi_1676_: u32;
-    var phi_1694_: u32;
-    var phi_1714_: u32;
-    var phi_1732_: u32;
-    var phi_1750_: u32;
-    var phi_1328_: u32;
-    var phi_1343_: u32;
-    var phi_1353_: u32;
-    var phi_1373_: u32;
-    var phi_1393_: u32;
-    var phi_1419_: u32;
-    var phi_1434_: u32;
-    var phi_1444_: u32;
-    var phi_1464_: u32;
-    var phi_1484_: u32;
-    var phi_1510_: u32;
-    var phi_1525_: u32;
-    var phi_1535_: u32;
-    var phi_1555_: u32;
-    var phi_1575_: u32;
-    var phi_1199_: u32;
-    var phi_1242_: u32;
-    var phi_1285_: u32;
-    var phi_1756_: array<array<f32, 3>, 3>;
-    var phi_1874_: bool;
-    var phi_1903_: bool;
-    var phi_2304_: f32;
-    var phi_2305_: f32;
-    var phi_2306_: f32;
-    var phi_2307_: f32;
-    var phi_2308_: vec3<f32>;
-    var phi_2309_: vec3<f32>;
-    var phi_2310_: vec3<f32>;
-    var phi_2311_: vec3<f32>;
-    var phi_2342_: bool;
-    var phi_2351_: vec3<f32>;
-    var phi_2518_: bool;
-    var phi_2542_: f32;
-    var phi_2543_: f32;
-    var phi_2566_: type_20;
-    var phi_2568_: type_20;
-    var phi_2569_: bool;
-    var phi_2573_: type_20;
-    var phi_2574_: type_20;
-    var phi_2575_: type_20;
-    var phi_2576_: bool;
-    var phi_2580_: type_20;
-    var phi_2581_: bool;
-    var phi_2582_: type_20;
-    var phi_2583_: bool;
-    var phi_2584_: bool;
-    var phi_2585_: type_20;
-    var phi_2586_: bool;
-    var phi_2587_: bool;
-    var phi_2595_: type_20;
-    var phi_2596_: bool;
-    var phi_2600_: type_20;
-    var phi_2612_: type_8;
-    var phi_2615_: type_20;
-    var phi_2613_: type_8;
-    var phi_2638_: type_8;
-    var phi_2670_: bool;
-    var phi_2671_: bool;
-    var phi_2692_: type_20;
-    var phi_2616_: type_20;
-    var phi_4439_: bool;
-    var phi_4866_: f32;
-    var phi_4865_: f32;
-    var phi_4631_: bool;
-    var phi_4864_: f32;
-    var phi_4630_: bool;
-    var phi_4863_: f32;
-    var phi_4629_: bool;
-    var phi_4775_: f32;
-    var phi_4628_: bool;
-    var phi_4740_: f32;
-    var phi_4637_: bool;
-    var phi_3944_: type_51;
-    var phi_3945_: bool;
-    var phi_3946_: u32;
-    var phi_4739_: f32;
-    var phi_4636_: bool;
-    var phi_3947_: type_51;
-    var phi_3948_: u32;
-    var phi_3949_: bool;
-    var phi_3950_: u32;
-    var phi_4738_: f32;
-    var phi_4635_: bool;
-    var phi_3951_: type_51;
-    var phi_3952_: u32;
-    var phi_3953_: bool;
-    var phi_3954_: u32;
-    var phi_4737_: f32;
-    var phi_4634_: bool;
+    var phi_772_: f32;
+    var phi_4469_: bool;
+    var phi_4325_: f32;
     var phi_914_: type_51;
     var phi_917_: u32;
     var phi_919_: bool;
     var phi_921_: u32;
-    var phi_3955_: bool;
+    var phi_932_: bool;
+    var phi_1019_: type_51;
+    var phi_1020_: bool;
+    var phi_1021_: u32;
+    var phi_3198_: u32;
+    var phi_3204_: u32;
+    var phi_3458_: u32;
+    var phi_3459_: u32;
+    var phi_3469_: u32;
+    var phi_3471_: u32;
+    var phi_3472_: bool;
+    var phi_3492_: u32;
+    var phi_3493_: u32;
+    var phi_3497_: type_52;
+    var phi_3842_: type_51;
+    var phi_3919_: type_51;
+    var phi_3920_: type_51;
+    var phi_3921_: u32;
+    var phi_3923_: type_51;
+    var phi_3924_: u32;
+    var phi_3925_: bool;
+    var phi_3934_: type_51;
+    var phi_3939_: type_51;
+    var phi_3940_: bool;
+    var phi_4466_: bool;
+    var phi_4409_: f32;
+    var phi_1040_: type_8;
+    var phi_1041_: type_8;
+    var phi_1064_: type_8;
+    var phi_1105_: u32;
+    var phi_1111_: u32;
+    var phi_1121_: u32;
+    var phi_1137_: u32;
+    var phi_1170_: u32;
+    var phi_1176_: u32;
+    var phi_1603_: u32;
+    var phi_1621_: u32;
+    var phi_1639_: u32;
+    var phi_1659_: u32;
+    var phi_1677_: u32;
+    var phi_1695_: u32;
+    var phi_1715_: u32;
+    var phi_1733_: u32;
+    var phi_1751_: u32;
+    var phi_1329_: u32;
+    var phi_1344_: u32;
+    var phi_1354_: u32;
+    var phi_1374_: u32;
+    var phi_1394_: u32;
+    var phi_1420_: u32;
+    var phi_1435_: u32;
+    var phi_1445_: u32;
+    var phi_1465_: u32;
+    var phi_1485_: u32;
+    var phi_1511_: u32;
+    var phi_1526_: u32;
+    var phi_1536_: u32;
+    var phi_1556_: u32;
+    var phi_1576_: u32;
+    var phi_1200_: u32;
+    var phi_1243_: u32;
+    var phi_1286_: u32;
+    var phi_1757_: array<array<f32, 3>, 3>;
+    var phi_1875_: bool;
+    var phi_1904_: bool;
+    var phi_2305_: f32;
+    var phi_2306_: f32;
+    var phi_2307_: f32;
+    var phi_2308_: f32;
+    var phi_2309_: vec3<f32>;
+    var phi_2310_: vec3<f32>;
+    var phi_2311_: vec3<f32>;
+    var phi_2312_: vec3<f32>;
+    var phi_2343_: bool;
+    var phi_2352_: vec3<f32>;
+    var phi_2517_: f32;
+    var phi_2519_: f32;
+    var phi_2520_: bool;
+    var phi_2540_: f32;
+    var phi_2541_: f32;
+    var phi_2564_: type_20;
+    var phi_2566_: type_20;
+    var phi_2567_: bool;
+    var phi_2571_: type_20;
+    var phi_2572_: type_20;
+    var phi_2573_: type_20;
+    var phi_2574_: bool;
+    var phi_2578_: type_20;
+    var phi_2579_: bool;
+    var phi_2580_: type_20;
+    var phi_2581_: bool;
+    var phi_2582_: bool;
+    var phi_2583_: type_20;
+    var phi_2584_: bool;
+    var phi_2585_: bool;
+    var phi_2593_: type_20;
+    var phi_2594_: bool;
+    var phi_2598_: type_20;
+    var phi_2610_: type_8;
+    var phi_2613_: type_20;
+    var phi_2611_: type_8;
+    var phi_2636_: type_8;
+    var phi_2668_: bool;
+    var phi_2669_: bool;
+    var phi_2690_: type_20;
+    var phi_2614_: type_20;
+    var phi_4437_: bool;
+    var phi_4864_: f32;
+    var phi_4863_: f32;
+    var phi_4629_: bool;
+    var phi_4862_: f32;
+    var phi_4628_: bool;
+    var phi_4861_: f32;
+    var phi_4627_: bool;
+    var phi_4773_: f32;
+    var phi_4626_: bool;
+    var phi_4738_: f32;
+    var phi_4635_: bool;
+    var phi_3942_: type_51;
+    var phi_3943_: bool;
+    var phi_3944_: u32;
+    var phi_4737_: f32;
+    var phi_4634_: bool;
+    var phi_3945_: type_51;
+    var phi_3946_: u32;
+    var phi_3947_: bool;
+    var phi_3948_: u32;
+    var phi_4736_: f32;
     var phi_4633_: bool;
-    var phi_3962_: type_8;
-    var phi_3963_: type_8;
-    var phi_3986_: type_8;
-    var phi_4052_: type_20;
-    var phi_4730_: bool;
+    var phi_3949_: type_51;
+    var phi_3950_: u32;
+    var phi_3951_: bool;
+    var phi_3952_: u32;
+    var phi_4735_: f32;
+    var phi_4632_: bool;
+    var phi_915_: type_51;
+    var phi_918_: u32;
+    var phi_920_: bool;
+    var phi_922_: u32;
+    var phi_3953_: bool;
+    var phi_4631_: bool;
+    var phi_3960_: type_8;
+    var phi_3961_: type_8;
+    var phi_3984_: type_8;
+    var phi_4050_: type_20;
+    var phi_4728_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e91 = global;
-            let _e93 = arrayLength((&global_4.member));
-            let _e96 = arrayLength((&global_5.member));
-            let _e104 = global_2.member[0u][0u];
-            let _e108 = global_2.member[0u][1u];
-            let _e112 = global_2.member[0u][2u];
-            let _e116 = global_2.member[0u][3u];
-            let _e120 = global_2.member[1u][0u];
-            let _e124 = global_2.member[1u][1u];
-            let _e128 = global_2.member[1u][2u];
-            let _e131 = global_1.member[0u];
-            let _e132 = bitcast<i32>(_e131);
-            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
-            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
-            let _e150 = (_e91.x + (_e91.y * 2097152u));
-            let _e151 = (_e150 < arrayLength((&global_3.member)));
-            if _e151 {
-                let _e152 = (_e150 < arrayLength((&global_6.member)));
-                if _e152 {
-                    if _e151 {
+            let _e92 = global;
+            let _e94 = arrayLength((&global_4.member));
+            let _e97 = arrayLength((&global_5.member));
+            let _e105 = global_2.member[0u][0u];
+            let _e109 = global_2.member[0u][1u];
+            let _e113 = global_2.member[0u][2u];
+            let _e117 = global_2.member[0u][3u];
+            let _e121 = global_2.member[1u][0u];
+            let _e125 = global_2.member[1u][1u];
+            let _e129 = global_2.member[1u][2u];
+            let _e132 = global_1.member[0u];
+            let _e133 = bitcast<i32>(_e132);
+            let _e145 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e117) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
+            local = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            let _e151 = (_e92.x + (_e92.y * 2097152u));
+            let _e152 = (_e151 < arrayLength((&global_3.member)));
+            if _e152 {
+                let _e153 = (_e151 < arrayLength((&global_6.member)));
+                if _e153 {
+                    if _e152 {
                     } else {
                         break;
                     }
-                    let _e160 = global_3.member[_e150].member_2[0u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_3.member[_e150].member_2[1u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_3.member[_e150].member_2[2u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_3.member[_e150].member[0u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_3.member[_e150].member[1u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e195 = global_3.member[_e150].member[2u];
-                    let _e197 = (bitcast<u32>(_e195) & 2147483647u);
-                    let _e199 = select(_e169, _e162, (_e169 < _e162));
-                    let _e201 = select(_e176, _e199, (_e176 < _e199));
-                    let _e203 = select(_e183, _e201, (_e183 < _e201));
-                    let _e205 = select(_e190, _e203, (_e190 < _e203));
-                    let _e207 = select(_e197, _e205, (_e197 < _e205));
-                    let _e211 = global_3.member[_e150].member_1;
-                    let _e213 = (bitcast<u32>(_e211) & 2147483647u);
-                    let _e220 = global_3.member[_e150].member_3;
-                    let _e226 = (((select(_e213, _e207, (_e213 < _e207)) < 2139095040u) && ((bitcast<u32>(_e220) & 2147483647u) <= 2139095040u)) && (_e201 > 0u));
-                    if _e226 {
-                        let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
-                        if (_e229 >= 8388608u) {
-                            phi_402_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                    let _e161 = global_3.member[_e151].member_2[0u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_3.member[_e151].member_2[1u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_3.member[_e151].member_2[2u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_3.member[_e151].member[0u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_3.member[_e151].member[1u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e196 = global_3.member[_e151].member[2u];
+                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
+                    let _e200 = select(_e170, _e163, (_e170 < _e163));
+                    let _e202 = select(_e177, _e200, (_e177 < _e200));
+                    let _e204 = select(_e184, _e202, (_e184 < _e202));
+                    let _e206 = select(_e191, _e204, (_e191 < _e204));
+                    let _e208 = select(_e198, _e206, (_e198 < _e206));
+                    let _e212 = global_3.member[_e151].member_1;
+                    let _e214 = (bitcast<u32>(_e212) & 2147483647u);
+                    let _e221 = global_3.member[_e151].member_3;
+                    let _e227 = (((select(_e214, _e208, (_e214 < _e208)) < 2139095040u) && ((bitcast<u32>(_e221) & 2147483647u) <= 2139095040u)) && (_e202 > 0u));
+                    if _e227 {
+                        let _e230 = (bitcast<u32>(bitcast<f32>(_e202)) & 2147483647u);
+                        if (_e230 >= 8388608u) {
+                            phi_403_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
                         }
-                        let _e243 = phi_402_;
-                        phi_403_ = _e243;
+                        let _e244 = phi_403_;
+                        phi_404_ = _e244;
                     } else {
-                        phi_403_ = 0i;
+                        phi_404_ = 0i;
                     }
-                    let _e245 = phi_403_;
-                    let _e246 = (_e162 == _e201);
-                    if _e246 {
-                        phi_413_ = true;
+                    let _e246 = phi_404_;
+                    let _e247 = (_e163 == _e202);
+                    if _e247 {
+                        phi_414_ = true;
                     } else {
-                        phi_413_ = (_e169 == _e201);
+                        phi_414_ = (_e170 == _e202);
                     }
-                    let _e249 = phi_413_;
-                    let _e250 = select(1u, 0u, _e246);
-                    if _e249 {
-                        let _e251 = (_e250 + 1u);
-                        phi_423_ = _e251;
-                        phi_424_ = _e251;
-                        phi_426_ = select(true, false, (_e251 == 2u));
+                    let _e250 = phi_414_;
+                    let _e251 = select(1u, 0u, _e247);
+                    if _e250 {
+                        let _e252 = (_e251 + 1u);
+                        phi_424_ = _e252;
+                        phi_425_ = _e252;
+                        phi_427_ = select(true, false, (_e252 == 2u));
                     } else {
-                        phi_423_ = u32();
-                        phi_424_ = 0u;
-                        phi_426_ = true;
+                        phi_424_ = u32();
+                        phi_425_ = 0u;
+                        phi_427_ = true;
                     }
-                    let _e255 = phi_423_;
-                    let _e257 = phi_424_;
-                    let _e259 = phi_426_;
-                    if _e259 {
-                        phi_431_ = (_e257 + 1u);
+                    let _e256 = phi_424_;
+                    let _e258 = phi_425_;
+                    let _e260 = phi_427_;
+                    if _e260 {
+                        phi_432_ = (_e258 + 1u);
                     } else {
-                        phi_431_ = 0u;
+                        phi_432_ = 0u;
                     }
-                    let _e263 = phi_431_;
-                    let _e264 = select(_e255, _e257, _e259);
-                    let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
-                    if (_e132 < -126i) {
-                        phi_443_ = -126i;
+                    let _e264 = phi_432_;
+                    let _e265 = select(_e256, _e258, _e260);
+                    let _e266 = select(_e251, select(2u, _e251, _e250), _e260);
+                    if (_e133 < -126i) {
+                        phi_444_ = -126i;
                     } else {
-                        phi_443_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_444_ = select(_e133, 127i, (_e133 > 127i));
                     }
-                    let _e270 = phi_443_;
-                    let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
-                    let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
-                    let _e282 = -(_e245);
-                    if (_e282 < -126i) {
-                        phi_463_ = -126i;
+                    let _e271 = phi_444_;
+                    let _e276 = bitcast<f32>((bitcast<u32>((_e271 + 127i)) << bitcast<u32>(23i)));
+                    let _e282 = bitcast<f32>((bitcast<u32>(((_e133 - _e271) + 127i)) << bitcast<u32>(23i)));
+                    let _e283 = -(_e246);
+                    if (_e283 < -126i) {
+                        phi_464_ = -126i;
                     } else {
-                        phi_463_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_464_ = select(_e283, 127i, (_e283 > 127i));
                     }
-                    let _e287 = phi_463_;
-                    let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
-                    let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
-                    let _e302 = global_3.member[_e150].member;
-                    let _e303 = (_e264 == 0u);
-                    if _e303 {
-                        phi_481_ = _e302[0];
+                    let _e288 = phi_464_;
+                    let _e293 = bitcast<f32>((bitcast<u32>((_e288 + 127i)) << bitcast<u32>(23i)));
+                    let _e299 = bitcast<f32>((bitcast<u32>(((_e283 - _e288) + 127i)) << bitcast<u32>(23i)));
+                    let _e303 = global_3.member[_e151].member;
+                    let _e304 = (_e265 == 0u);
+                    if _e304 {
+                        phi_482_ = _e303[0];
                     } else {
-                        phi_481_ = _e302[1];
+                        phi_482_ = _e303[1];
                     }
-                    let _e307 = phi_481_;
-                    let _e308 = (_e264 == 2u);
-                    if _e308 {
-                        phi_487_ = _e302[2];
+                    let _e308 = phi_482_;
+                    let _e309 = (_e265 == 2u);
+                    if _e309 {
+                        phi_488_ = _e303[2];
                     } else {
-                        phi_487_ = _e307;
+                        phi_488_ = _e308;
                     }
-                    let _e311 = phi_487_;
-                    let _e313 = ((_e311 * _e275) * _e281);
-                    let _e314 = global_3.member[_e150].member_2;
-                    if _e303 {
-                        phi_498_ = _e314[0];
+                    let _e312 = phi_488_;
+                    let _e314 = ((_e312 * _e276) * _e282);
+                    let _e315 = global_3.member[_e151].member_2;
+                    if _e304 {
+                        phi_499_ = _e315[0];
                     } else {
-                        phi_498_ = _e314[1];
+                        phi_499_ = _e315[1];
                     }
-                    let _e318 = phi_498_;
-                    if _e308 {
-                        phi_504_ = _e314[2];
+                    let _e319 = phi_499_;
+                    if _e309 {
+                        phi_505_ = _e315[2];
                     } else {
-                        phi_504_ = _e318;
+                        phi_505_ = _e319;
                     }
-                    let _e321 = phi_504_;
-                    let _e323 = ((_e321 * _e292) * _e298);
-                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e327 {
-                        let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_527_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
+                    let _e322 = phi_505_;
+                    let _e324 = ((_e322 * _e293) * _e299);
+                    let _e328 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e328 {
+                        let _e332 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) * 0.00000011920929f);
+                        phi_528_ = select(0.00000000000011368684f, _e332, (_e332 > 0.00000000000011368684f));
                     } else {
-                        phi_527_ = 0f;
+                        phi_528_ = 0f;
                     }
-                    let _e335 = phi_527_;
-                    let _e336 = (_e313 + _e335);
-                    let _e337 = (_e313 - _e335);
-                    let _e338 = select(_e323, 0f, _e327);
-                    if _e327 {
-                        phi_538_ = 38685626000000000000000000f;
+                    let _e336 = phi_528_;
+                    let _e337 = (_e314 + _e336);
+                    let _e338 = (_e314 - _e336);
+                    let _e339 = select(_e324, 0f, _e328);
+                    if _e328 {
+                        phi_539_ = 38685626000000000000000000f;
                     } else {
-                        phi_538_ = (1f / _e323);
+                        phi_539_ = (1f / _e324);
                     }
-                    let _e341 = phi_538_;
-                    let _e342 = (_e263 == 0u);
-                    if _e342 {
-                        phi_547_ = _e302[0];
+                    let _e342 = phi_539_;
+                    let _e343 = (_e264 == 0u);
+                    if _e343 {
+                        phi_548_ = _e303[0];
                     } else {
-                        phi_547_ = _e302[1];
+                        phi_548_ = _e303[1];
                     }
-                    let _e346 = phi_547_;
-                    let _e347 = (_e263 == 2u);
-                    if _e347 {
-                        phi_553_ = _e302[2];
+                    let _e347 = phi_548_;
+                    let _e348 = (_e264 == 2u);
+                    if _e348 {
+                        phi_554_ = _e303[2];
                     } else {
-                        phi_553_ = _e346;
+                        phi_554_ = _e347;
                     }
-                    let _e350 = phi_553_;
-                    let _e352 = ((_e350 * _e275) * _e281);
-                    if _e342 {
-                        phi_564_ = _e314[0];
+                    let _e351 = phi_554_;
+                    let _e353 = ((_e351 * _e276) * _e282);
+                    if _e343 {
+                        phi_565_ = _e315[0];
                     } else {
-                        phi_564_ = _e314[1];
+                        phi_565_ = _e315[1];
                     }
-                    let _e356 = phi_564_;
-                    if _e347 {
-                        phi_570_ = _e314[2];
+                    let _e357 = phi_565_;
+                    if _e348 {
+                        phi_571_ = _e315[2];
                     } else {
-                        phi_570_ = _e356;
+                        phi_571_ = _e357;
                     }
-                    let _e359 = phi_570_;
-                    let _e361 = ((_e359 * _e292) * _e298);
-                    let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e365 {
-                        let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
-                        phi_593_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
+                    let _e360 = phi_571_;
+                    let _e362 = ((_e360 * _e293) * _e299);
+                    let _e366 = (bitcast<f32>((bitcast<u32>(_e362) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e366 {
+                        let _e370 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) * 0.00000011920929f);
+                        phi_594_ = select(0.00000000000011368684f, _e370, (_e370 > 0.00000000000011368684f));
                     } else {
-                        phi_593_ = 0f;
+                        phi_594_ = 0f;
                     }
-                    let _e373 = phi_593_;
-                    let _e374 = (_e352 + _e373);
-                    let _e375 = (_e352 - _e373);
-                    let _e376 = select(_e361, 0f, _e365);
-                    if _e365 {
-                        phi_604_ = 38685626000000000000000000f;
+                    let _e374 = phi_594_;
+                    let _e375 = (_e353 + _e374);
+                    let _e376 = (_e353 - _e374);
+                    let _e377 = select(_e362, 0f, _e366);
+                    if _e366 {
+                        phi_605_ = 38685626000000000000000000f;
                     } else {
-                        phi_604_ = (1f / _e361);
+                        phi_605_ = (1f / _e362);
                     }
-                    let _e379 = phi_604_;
-                    let _e380 = (_e265 == 0u);
-                    if _e380 {
-                        phi_613_ = _e302[0];
+                    let _e380 = phi_605_;
+                    let _e381 = (_e266 == 0u);
+                    if _e381 {
+                        phi_614_ = _e303[0];
                     } else {
-                        phi_613_ = _e302[1];
+                        phi_614_ = _e303[1];
                     }
-                    let _e384 = phi_613_;
-                    let _e385 = (_e265 == 2u);
-                    if _e385 {
-                        phi_619_ = _e302[2];
+                    let _e385 = phi_614_;
+                    let _e386 = (_e266 == 2u);
+                    if _e386 {
+                        phi_620_ = _e303[2];
                     } else {
-                        phi_619_ = _e384;
+                        phi_620_ = _e385;
                     }
-                    let _e388 = phi_619_;
-                    let _e390 = ((_e388 * _e275) * _e281);
-                    if _e380 {
-                        phi_630_ = _e314[0];
+                    let _e389 = phi_620_;
+                    let _e391 = ((_e389 * _e276) * _e282);
+                    if _e381 {
+                        phi_631_ = _e315[0];
                     } else {
-                        phi_630_ = _e314[1];
+                        phi_631_ = _e315[1];
                     }
-                    let _e394 = phi_630_;
-                    if _e385 {
-                        phi_636_ = _e314[2];
+                    let _e395 = phi_631_;
+                    if _e386 {
+                        phi_637_ = _e315[2];
                     } else {
-                        phi_636_ = _e394;
+                        phi_637_ = _e395;
                     }
-                    let _e397 = phi_636_;
-                    let _e399 = ((_e397 * _e292) * _e298);
-                    let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e403 {
-                        let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
-                        phi_659_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                    let _e398 = phi_637_;
+                    let _e400 = ((_e398 * _e293) * _e299);
+                    let _e404 = (bitcast<f32>((bitcast<u32>(_e400) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e404 {
+                        let _e408 = (bitcast<f32>((bitcast<u32>(_e391) & 2147483647u)) * 0.00000011920929f);
+                        phi_660_ = select(0.00000000000011368684f, _e408, (_e408 > 0.00000000000011368684f));
                     } else {
-                        phi_659_ = 0f;
+                        phi_660_ = 0f;
                     }
-                    let _e411 = phi_659_;
-                    let _e412 = (_e390 + _e411);
-                    let _e413 = (_e390 - _e411);
-                    let _e414 = select(_e399, 0f, _e403);
-                    if _e403 {
-                        phi_670_ = 38685626000000000000000000f;
+                    let _e412 = phi_660_;
+                    let _e413 = (_e391 + _e412);
+                    let _e414 = (_e391 - _e412);
+                    let _e415 = select(_e400, 0f, _e404);
+                    if _e404 {
+                        phi_671_ = 38685626000000000000000000f;
                     } else {
-                        phi_670_ = (1f / _e399);
+                        phi_671_ = (1f / _e400);
                     }
-                    let _e417 = phi_670_;
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
-                    let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
-                    let _e425 = select(_e423, _e420, (_e420 > _e423));
-                    let _e428 = bitcast<f32>((bitcast<u32>(_e390) & 2147483647u));
-                    let _e431 = (_e132 + _e245);
-                    if (_e226 && (select(_e428, _e425, (_e425 > _e428)) <= 1099511600000f)) {
-                        let _e434 = (_e431 / 3i);
-                        let _e441 = bitcast<f32>((bitcast<u32>((_e434 + 127i)) << bitcast<u32>(23i)));
-                        let _e448 = bitcast<f32>((bitcast<u32>(((_e431 - (2i * _e434)) + 127i)) << bitcast<u32>(23i)));
-                        let _e449 = (((_e211 * _e441) * _e441) * _e448);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        let _e456 = (((_e220 * _e441) * _e441) * _e448);
-                        let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
-                        phi_770_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
+                    let _e418 = phi_671_;
+                    let _e421 = bitcast<f32>((bitcast<u32>(_e314) & 2147483647u));
+                    let _e424 = bitcast<f32>((bitcast<u32>(_e353) & 2147483647u));
+                    let _e426 = select(_e424, _e421, (_e421 > _e424));
+                    let _e429 = bitcast<f32>((bitcast<u32>(_e391) & 2147483647u));
+                    let _e432 = (_e133 + _e246);
+                    if (_e227 && (select(_e429, _e426, (_e426 > _e429)) <= 1099511600000f)) {
+                        let _e435 = (_e432 / 3i);
+                        let _e442 = bitcast<f32>((bitcast<u32>((_e435 + 127i)) << bitcast<u32>(23i)));
+                        let _e449 = bitcast<f32>((bitcast<u32>(((_e432 - (2i * _e435)) + 127i)) << bitcast<u32>(23i)));
+                        let _e450 = (((_e212 * _e442) * _e442) * _e449);
+                        let _e452 = select(340282350000000000000000000000000000000f, _e450, (_e450 < 340282350000000000000000000000000000000f));
+                        let _e457 = (((_e221 * _e442) * _e442) * _e449);
+                        let _e459 = select(340282350000000000000000000000000000000f, _e457, (_e457 < 340282350000000000000000000000000000000f));
+                        phi_771_ = select(-340282350000000000000000000000000000000f, _e459, (_e459 > -340282350000000000000000000000000000000f));
+                        phi_772_ = select(-340282350000000000000000000000000000000f, _e452, (_e452 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_770_ = 0f;
-                        phi_771_ = 1f;
+                        phi_771_ = 0f;
+                        phi_772_ = 1f;
                     }
-                    let _e462 = phi_770_;
-                    let _e464 = phi_771_;
+                    let _e463 = phi_771_;
+                    let _e465 = phi_772_;
                     local_9 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -536,1444 +538,1454 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e467 = (_e264 % 3u);
-                    let _e468 = (_e467 < 3u);
-                    if _e468 {
+                    let _e468 = (_e265 % 3u);
+                    let _e469 = (_e468 < 3u);
+                    if _e469 {
                     } else {
                         break;
                     }
-                    let _e470 = local_1[_e467];
-                    let _e473 = (_e263 % 3u);
-                    let _e474 = (_e473 < 3u);
-                    if _e474 {
+                    let _e471 = local_1[_e468];
+                    let _e474 = (_e264 % 3u);
+                    let _e475 = (_e474 < 3u);
+                    if _e475 {
                     } else {
                         break;
                     }
-                    let _e476 = local_1[_e473];
-                    let _e479 = (_e265 % 3u);
-                    let _e480 = (_e479 < 3u);
-                    if _e480 {
+                    let _e477 = local_1[_e474];
+                    let _e480 = (_e266 % 3u);
+                    let _e481 = (_e480 < 3u);
+                    if _e481 {
                     } else {
                         break;
                     }
-                    let _e482 = local_1[_e479];
-                    if _e468 {
+                    let _e483 = local_1[_e480];
+                    if _e469 {
                     } else {
                         break;
                     }
-                    let _e487 = local[_e467];
-                    if _e474 {
+                    let _e488 = local[_e468];
+                    if _e475 {
                     } else {
                         break;
                     }
-                    let _e491 = local[_e473];
-                    if _e480 {
+                    let _e492 = local[_e474];
+                    if _e481 {
                     } else {
                         break;
                     }
-                    let _e495 = local[_e479];
-                    phi_4471_ = false;
-                    phi_4327_ = _e462;
-                    phi_913_ = type_51(type_24(vec4<f32>((f32(_e470) * _e144), (f32(_e476) * _e144), (f32(_e482) * _e144), 0f), vec4<f32>((f32(_e487) * _e144), (f32(_e491) * _e144), (f32(_e495) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                    phi_916_ = ((3u * _e93) + 1u);
-                    phi_918_ = (_e464 <= _e462);
-                    phi_920_ = 0u;
+                    let _e496 = local[_e480];
+                    phi_4469_ = false;
+                    phi_4325_ = _e463;
+                    phi_914_ = type_51(type_24(vec4<f32>((f32(_e471) * _e145), (f32(_e477) * _e145), (f32(_e483) * _e145), 0f), vec4<f32>((f32(_e488) * _e145), (f32(_e492) * _e145), (f32(_e496) * _e145), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                    phi_917_ = ((3u * _e94) + 1u);
+                    phi_919_ = (_e465 <= _e463);
+                    phi_921_ = 0u;
                     loop {
-                        let _e505 = phi_4471_;
-                        let _e507 = phi_4327_;
-                        let _e509 = phi_913_;
-                        let _e511 = phi_916_;
-                        let _e513 = phi_918_;
-                        let _e515 = phi_920_;
-                        if _e513 {
-                            phi_931_ = true;
+                        let _e506 = phi_4469_;
+                        let _e508 = phi_4325_;
+                        let _e510 = phi_914_;
+                        let _e512 = phi_917_;
+                        let _e514 = phi_919_;
+                        let _e516 = phi_921_;
+                        if _e514 {
+                            phi_932_ = true;
                         } else {
-                            phi_931_ = (_e515 > 0u);
+                            phi_932_ = (_e516 > 0u);
                         }
-                        let _e518 = phi_931_;
-                        if _e518 {
-                            let _e519 = (_e511 > 0u);
-                            if _e519 {
-                                if _e513 {
-                                    phi_1018_ = _e509;
-                                    phi_1019_ = _e513;
-                                    phi_1020_ = _e515;
+                        let _e519 = phi_932_;
+                        if _e519 {
+                            let _e520 = (_e512 > 0u);
+                            if _e520 {
+                                if _e514 {
+                                    phi_1019_ = _e510;
+                                    phi_1020_ = _e514;
+                                    phi_1021_ = _e516;
                                 } else {
-                                    let _e520 = (_e515 - 1u);
-                                    let _e521 = (_e520 % 128u);
-                                    let _e522 = (_e521 < 128u);
-                                    if _e522 {
+                                    let _e521 = (_e516 - 1u);
+                                    let _e522 = (_e521 % 128u);
+                                    let _e523 = (_e522 < 128u);
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e524 = local_7[_e521];
-                                    if _e522 {
+                                    let _e525 = local_7[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e526 = local_6[_e521];
-                                    if _e522 {
+                                    let _e527 = local_6[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e528 = local_5[_e521];
-                                    if _e522 {
+                                    let _e529 = local_5[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e530 = local_4[_e521];
-                                    if _e522 {
+                                    let _e531 = local_4[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e532 = local_3[_e521];
-                                    if _e522 {
+                                    let _e533 = local_3[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e534 = local_2[_e521];
-                                    if _e522 {
+                                    let _e535 = local_2[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e539 = local_8[_e521];
-                                    if _e522 {
+                                    let _e540 = local_8[_e522];
+                                    if _e523 {
                                     } else {
-                                        phi_4633_ = true;
+                                        phi_4631_ = true;
                                         break;
                                     }
-                                    let _e542 = local_10[_e521];
-                                    phi_1018_ = type_51(type_24(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
-                                    phi_1019_ = (_e542 <= _e507);
-                                    phi_1020_ = _e520;
+                                    let _e543 = local_10[_e522];
+                                    phi_1019_ = type_51(type_24(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
+                                    phi_1020_ = (_e543 <= _e508);
+                                    phi_1021_ = _e521;
                                 }
-                                let _e545 = phi_1018_;
-                                let _e547 = phi_1019_;
-                                let _e549 = phi_1020_;
-                                if _e547 {
-                                    let _e554 = (_e545.member_1 & 268435455u);
-                                    if ((_e545.member_1 & 2147483648u) != 0u) {
-                                        phi_4468_ = _e505;
-                                        phi_4411_ = _e507;
-                                        phi_1039_ = type_8(0u, ((_e545.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e546 = phi_1019_;
+                                let _e548 = phi_1020_;
+                                let _e550 = phi_1021_;
+                                if _e548 {
+                                    let _e555 = (_e546.member_1 & 268435455u);
+                                    if ((_e546.member_1 & 2147483648u) != 0u) {
+                                        phi_4466_ = _e506;
+                                        phi_4409_ = _e508;
+                                        phi_1040_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1031 = phi_4468_;
-                                            let _e1033 = phi_4411_;
-                                            let _e1035 = phi_1039_;
-                                            if (_e1035.member < _e1035.member_1) {
-                                                phi_1040_ = type_8((_e1035.member + 1u), _e1035.member_1);
-                                                phi_1063_ = type_8(1u, _e1035.member);
+                                            let _e1032 = phi_4466_;
+                                            let _e1034 = phi_4409_;
+                                            let _e1036 = phi_1040_;
+                                            if (_e1036.member < _e1036.member_1) {
+                                                phi_1041_ = type_8((_e1036.member + 1u), _e1036.member_1);
+                                                phi_1064_ = type_8(1u, _e1036.member);
                                             } else {
-                                                phi_1040_ = _e1035;
-                                                phi_1063_ = type_8(0u, type_8().member_1);
+                                                phi_1041_ = _e1036;
+                                                phi_1064_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1048 = phi_1040_;
-                                            let _e1050 = phi_1063_;
-                                            let _e1054 = (bitcast<i32>(_e1050.member) != 0i);
-                                            if _e1054 {
-                                                let _e1059 = (_e545.member.member_1.x - _e545.member.member.x);
-                                                let _e1062 = (_e545.member.member_1.y - _e545.member.member.y);
-                                                let _e1065 = (_e545.member.member_1.z - _e545.member.member.z);
-                                                let _e1067 = select(_e1062, _e1059, (_e1059 > _e1062));
-                                                let _e1069 = select(_e1065, _e1067, (_e1067 > _e1065));
-                                                let _e1071 = (_e1069 < (1024f * _e144));
-                                                if _e1071 {
-                                                    phi_1104_ = 0u;
+                                            let _e1049 = phi_1041_;
+                                            let _e1051 = phi_1064_;
+                                            let _e1055 = (bitcast<i32>(_e1051.member) != 0i);
+                                            if _e1055 {
+                                                let _e1060 = (_e546.member.member_1.x - _e546.member.member.x);
+                                                let _e1063 = (_e546.member.member_1.y - _e546.member.member.y);
+                                                let _e1066 = (_e546.member.member_1.z - _e546.member.member.z);
+                                                let _e1068 = select(_e1063, _e1060, (_e1060 > _e1063));
+                                                let _e1070 = select(_e1066, _e1068, (_e1068 > _e1066));
+                                                let _e1072 = (_e1070 < (1024f * _e145));
+                                                if _e1072 {
+                                                    phi_1105_ = 0u;
                                                 } else {
-                                                    phi_1104_ = select(2u, 1u, (_e1069 < (2097152f * _e144)));
+                                                    phi_1105_ = select(2u, 1u, (_e1070 < (2097152f * _e145)));
                                                 }
-                                                let _e1076 = phi_1104_;
-                                                switch bitcast<i32>(_e1076) {
+                                                let _e1077 = phi_1105_;
+                                                switch bitcast<i32>(_e1077) {
                                                     case 0: {
-                                                        phi_1110_ = 1u;
+                                                        phi_1111_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1110_ = 2u;
+                                                        phi_1111_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1110_ = 3u;
+                                                        phi_1111_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1110_ = u32();
+                                                        phi_1111_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1079 = phi_1110_;
-                                                switch bitcast<i32>(_e1076) {
+                                                let _e1080 = phi_1111_;
+                                                switch bitcast<i32>(_e1077) {
                                                     case 0: {
-                                                        phi_1120_ = 1u;
+                                                        phi_1121_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1120_ = 2u;
+                                                        phi_1121_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1120_ = 3u;
+                                                        phi_1121_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1120_ = u32();
+                                                        phi_1121_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1086 = phi_1120_;
-                                                let _e1088 = ((_e554 + (_e1050.member_1 * ((3u * _e1079) + 1u))) + (3u * _e1086));
-                                                let _e1089 = (_e1088 < _e96);
-                                                if _e1089 {
-                                                    if _e1089 {
+                                                let _e1087 = phi_1121_;
+                                                let _e1089 = ((_e555 + (_e1051.member_1 * ((3u * _e1080) + 1u))) + (3u * _e1087));
+                                                let _e1090 = (_e1089 < _e97);
+                                                if _e1090 {
+                                                    if _e1090 {
                                                     } else {
-                                                        phi_4775_ = _e1033;
-                                                        phi_4628_ = true;
+                                                        phi_4773_ = _e1034;
+                                                        phi_4626_ = true;
                                                         break;
                                                     }
-                                                    let _e1091 = global_5.member[_e1088];
-                                                    phi_1136_ = _e1091;
+                                                    let _e1092 = global_5.member[_e1089];
+                                                    phi_1137_ = _e1092;
                                                 } else {
-                                                    phi_1136_ = 4294967295u;
+                                                    phi_1137_ = 4294967295u;
                                                 }
-                                                let _e1093 = phi_1136_;
-                                                if _e1071 {
-                                                    phi_1169_ = 0u;
+                                                let _e1094 = phi_1137_;
+                                                if _e1072 {
+                                                    phi_1170_ = 0u;
                                                 } else {
-                                                    phi_1169_ = select(2u, 1u, (_e1069 < (2097152f * _e144)));
+                                                    phi_1170_ = select(2u, 1u, (_e1070 < (2097152f * _e145)));
                                                 }
-                                                let _e1098 = phi_1169_;
-                                                switch bitcast<i32>(_e1098) {
+                                                let _e1099 = phi_1170_;
+                                                switch bitcast<i32>(_e1099) {
                                                     case 0: {
-                                                        phi_1175_ = 1u;
+                                                        phi_1176_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1175_ = 2u;
+                                                        phi_1176_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1175_ = 3u;
+                                                        phi_1176_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1175_ = u32();
+                                                        phi_1176_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1101 = phi_1175_;
-                                                let _e1105 = (_e554 + (_e1050.member_1 * ((3u * _e1101) + 1u)));
-                                                switch bitcast<i32>(_e1098) {
+                                                let _e1102 = phi_1176_;
+                                                let _e1106 = (_e555 + (_e1051.member_1 * ((3u * _e1102) + 1u)));
+                                                switch bitcast<i32>(_e1099) {
                                                     case 0: {
-                                                        let _e1371 = (_e1105 < _e96);
-                                                        if _e1371 {
-                                                            if _e1371 {
+                                                        let _e1372 = (_e1106 < _e97);
+                                                        if _e1372 {
+                                                            if _e1372 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1373 = global_5.member[_e1105];
-                                                            phi_1199_ = _e1373;
+                                                            let _e1374 = global_5.member[_e1106];
+                                                            phi_1200_ = _e1374;
                                                         } else {
-                                                            phi_1199_ = 0u;
+                                                            phi_1200_ = 0u;
                                                         }
-                                                        let _e1375 = phi_1199_;
-                                                        let _e1377 = ((10u * _e264) & 31u);
-                                                        let _e1386 = ((10u * _e263) & 31u);
-                                                        let _e1395 = ((10u * _e265) & 31u);
-                                                        let _e1404 = (_e1105 + 1u);
-                                                        let _e1405 = (_e1404 < _e96);
-                                                        if _e1405 {
-                                                            if _e1405 {
+                                                        let _e1376 = phi_1200_;
+                                                        let _e1378 = ((10u * _e265) & 31u);
+                                                        let _e1387 = ((10u * _e264) & 31u);
+                                                        let _e1396 = ((10u * _e266) & 31u);
+                                                        let _e1405 = (_e1106 + 1u);
+                                                        let _e1406 = (_e1405 < _e97);
+                                                        if _e1406 {
+                                                            if _e1406 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1407 = global_5.member[_e1404];
-                                                            phi_1242_ = _e1407;
+                                                            let _e1408 = global_5.member[_e1405];
+                                                            phi_1243_ = _e1408;
                                                         } else {
-                                                            phi_1242_ = 0u;
+                                                            phi_1243_ = 0u;
                                                         }
-                                                        let _e1409 = phi_1242_;
-                                                        let _e1432 = (_e1105 + 2u);
-                                                        let _e1433 = (_e1432 < _e96);
-                                                        if _e1433 {
-                                                            if _e1433 {
+                                                        let _e1410 = phi_1243_;
+                                                        let _e1433 = (_e1106 + 2u);
+                                                        let _e1434 = (_e1433 < _e97);
+                                                        if _e1434 {
+                                                            if _e1434 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1435 = global_5.member[_e1432];
-                                                            phi_1285_ = _e1435;
+                                                            let _e1436 = global_5.member[_e1433];
+                                                            phi_1286_ = _e1436;
                                                         } else {
-                                                            phi_1285_ = 0u;
+                                                            phi_1286_ = 0u;
                                                         }
-                                                        let _e1437 = phi_1285_;
-                                                        phi_1756_ = array<array<f32, 3>, 3>(array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1375 >> bitcast<u32>(_e1377)) & 1023u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1375 >> bitcast<u32>(_e1386)) & 1023u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1375 >> bitcast<u32>(_e1395)) & 1023u))) * _e144))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1409 >> bitcast<u32>(_e1377)) & 1023u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1409 >> bitcast<u32>(_e1386)) & 1023u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1409 >> bitcast<u32>(_e1395)) & 1023u))) * _e144))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1377)) & 1023u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1386)) & 1023u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1395)) & 1023u))) * _e144))));
+                                                        let _e1438 = phi_1286_;
+                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1376 >> bitcast<u32>(_e1378)) & 1023u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1376 >> bitcast<u32>(_e1387)) & 1023u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1376 >> bitcast<u32>(_e1396)) & 1023u))) * _e145))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1410 >> bitcast<u32>(_e1378)) & 1023u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1410 >> bitcast<u32>(_e1387)) & 1023u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1410 >> bitcast<u32>(_e1396)) & 1023u))) * _e145))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1438 >> bitcast<u32>(_e1378)) & 1023u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1438 >> bitcast<u32>(_e1387)) & 1023u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1438 >> bitcast<u32>(_e1396)) & 1023u))) * _e145))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1194 = (_e1105 < _e96);
-                                                        if _e1194 {
-                                                            if _e1194 {
+                                                        let _e1195 = (_e1106 < _e97);
+                                                        if _e1195 {
+                                                            if _e1195 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1196 = global_5.member[_e1105];
-                                                            phi_1328_ = _e1196;
+                                                            let _e1197 = global_5.member[_e1106];
+                                                            phi_1329_ = _e1197;
                                                         } else {
-                                                            phi_1328_ = 0u;
+                                                            phi_1329_ = 0u;
                                                         }
-                                                        let _e1198 = phi_1328_;
-                                                        let _e1199 = (_e1105 + 1u);
-                                                        let _e1200 = (_e1199 < _e96);
-                                                        if _e1200 {
-                                                            if _e1200 {
+                                                        let _e1199 = phi_1329_;
+                                                        let _e1200 = (_e1106 + 1u);
+                                                        let _e1201 = (_e1200 < _e97);
+                                                        if _e1201 {
+                                                            if _e1201 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1202 = global_5.member[_e1199];
-                                                            phi_1343_ = _e1202;
+                                                            let _e1203 = global_5.member[_e1200];
+                                                            phi_1344_ = _e1203;
                                                         } else {
-                                                            phi_1343_ = 0u;
+                                                            phi_1344_ = 0u;
                                                         }
-                                                        let _e1204 = phi_1343_;
-                                                        let _e1205 = (_e264 == 1u);
-                                                        if _e1205 {
-                                                            phi_1353_ = ((_e1198 >> bitcast<u32>(21i)) | (_e1204 << bitcast<u32>(11i)));
+                                                        let _e1205 = phi_1344_;
+                                                        let _e1206 = (_e265 == 1u);
+                                                        if _e1206 {
+                                                            phi_1354_ = ((_e1199 >> bitcast<u32>(21i)) | (_e1205 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1353_ = (_e1204 >> bitcast<u32>(10i));
+                                                            phi_1354_ = (_e1205 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1214 = phi_1353_;
-                                                        let _e1221 = (_e263 == 1u);
-                                                        if _e1221 {
-                                                            phi_1373_ = ((_e1198 >> bitcast<u32>(21i)) | (_e1204 << bitcast<u32>(11i)));
+                                                        let _e1215 = phi_1354_;
+                                                        let _e1222 = (_e264 == 1u);
+                                                        if _e1222 {
+                                                            phi_1374_ = ((_e1199 >> bitcast<u32>(21i)) | (_e1205 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1373_ = (_e1204 >> bitcast<u32>(10i));
+                                                            phi_1374_ = (_e1205 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1230 = phi_1373_;
-                                                        let _e1237 = (_e265 == 1u);
-                                                        if _e1237 {
-                                                            phi_1393_ = ((_e1198 >> bitcast<u32>(21i)) | (_e1204 << bitcast<u32>(11i)));
+                                                        let _e1231 = phi_1374_;
+                                                        let _e1238 = (_e266 == 1u);
+                                                        if _e1238 {
+                                                            phi_1394_ = ((_e1199 >> bitcast<u32>(21i)) | (_e1205 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1393_ = (_e1204 >> bitcast<u32>(10i));
+                                                            phi_1394_ = (_e1205 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1246 = phi_1393_;
-                                                        let _e1254 = (_e1105 + 2u);
-                                                        let _e1255 = (_e1254 < _e96);
-                                                        if _e1255 {
-                                                            if _e1255 {
+                                                        let _e1247 = phi_1394_;
+                                                        let _e1255 = (_e1106 + 2u);
+                                                        let _e1256 = (_e1255 < _e97);
+                                                        if _e1256 {
+                                                            if _e1256 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1257 = global_5.member[_e1254];
-                                                            phi_1419_ = _e1257;
+                                                            let _e1258 = global_5.member[_e1255];
+                                                            phi_1420_ = _e1258;
                                                         } else {
-                                                            phi_1419_ = 0u;
+                                                            phi_1420_ = 0u;
                                                         }
-                                                        let _e1259 = phi_1419_;
-                                                        let _e1260 = (_e1105 + 3u);
-                                                        let _e1261 = (_e1260 < _e96);
-                                                        if _e1261 {
-                                                            if _e1261 {
+                                                        let _e1260 = phi_1420_;
+                                                        let _e1261 = (_e1106 + 3u);
+                                                        let _e1262 = (_e1261 < _e97);
+                                                        if _e1262 {
+                                                            if _e1262 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1263 = global_5.member[_e1260];
-                                                            phi_1434_ = _e1263;
+                                                            let _e1264 = global_5.member[_e1261];
+                                                            phi_1435_ = _e1264;
                                                         } else {
-                                                            phi_1434_ = 0u;
+                                                            phi_1435_ = 0u;
                                                         }
-                                                        let _e1265 = phi_1434_;
-                                                        if _e1205 {
-                                                            phi_1444_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1266 = phi_1435_;
+                                                        if _e1206 {
+                                                            phi_1445_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1444_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1445_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1274 = phi_1444_;
-                                                        if _e1221 {
-                                                            phi_1464_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1275 = phi_1445_;
+                                                        if _e1222 {
+                                                            phi_1465_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1464_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1465_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1289 = phi_1464_;
-                                                        if _e1237 {
-                                                            phi_1484_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1290 = phi_1465_;
+                                                        if _e1238 {
+                                                            phi_1485_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1484_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1485_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1304 = phi_1484_;
-                                                        let _e1312 = (_e1105 + 4u);
-                                                        let _e1313 = (_e1312 < _e96);
-                                                        if _e1313 {
-                                                            if _e1313 {
+                                                        let _e1305 = phi_1485_;
+                                                        let _e1313 = (_e1106 + 4u);
+                                                        let _e1314 = (_e1313 < _e97);
+                                                        if _e1314 {
+                                                            if _e1314 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1315 = global_5.member[_e1312];
-                                                            phi_1510_ = _e1315;
+                                                            let _e1316 = global_5.member[_e1313];
+                                                            phi_1511_ = _e1316;
                                                         } else {
-                                                            phi_1510_ = 0u;
+                                                            phi_1511_ = 0u;
                                                         }
-                                                        let _e1317 = phi_1510_;
-                                                        let _e1318 = (_e1105 + 5u);
-                                                        let _e1319 = (_e1318 < _e96);
-                                                        if _e1319 {
-                                                            if _e1319 {
+                                                        let _e1318 = phi_1511_;
+                                                        let _e1319 = (_e1106 + 5u);
+                                                        let _e1320 = (_e1319 < _e97);
+                                                        if _e1320 {
+                                                            if _e1320 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1321 = global_5.member[_e1318];
-                                                            phi_1525_ = _e1321;
+                                                            let _e1322 = global_5.member[_e1319];
+                                                            phi_1526_ = _e1322;
                                                         } else {
-                                                            phi_1525_ = 0u;
+                                                            phi_1526_ = 0u;
                                                         }
-                                                        let _e1323 = phi_1525_;
-                                                        if _e1205 {
-                                                            phi_1535_ = ((_e1317 >> bitcast<u32>(21i)) | (_e1323 << bitcast<u32>(11i)));
+                                                        let _e1324 = phi_1526_;
+                                                        if _e1206 {
+                                                            phi_1536_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1535_ = (_e1323 >> bitcast<u32>(10i));
+                                                            phi_1536_ = (_e1324 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1332 = phi_1535_;
-                                                        if _e1221 {
-                                                            phi_1555_ = ((_e1317 >> bitcast<u32>(21i)) | (_e1323 << bitcast<u32>(11i)));
+                                                        let _e1333 = phi_1536_;
+                                                        if _e1222 {
+                                                            phi_1556_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1555_ = (_e1323 >> bitcast<u32>(10i));
+                                                            phi_1556_ = (_e1324 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1347 = phi_1555_;
-                                                        if _e1237 {
-                                                            phi_1575_ = ((_e1317 >> bitcast<u32>(21i)) | (_e1323 << bitcast<u32>(11i)));
+                                                        let _e1348 = phi_1556_;
+                                                        if _e1238 {
+                                                            phi_1576_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1575_ = (_e1323 >> bitcast<u32>(10i));
+                                                            phi_1576_ = (_e1324 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1362 = phi_1575_;
-                                                        phi_1756_ = array<array<f32, 3>, 3>(array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1214, _e1198, _e303) & 2097151u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1230, _e1198, _e342) & 2097151u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1246, _e1198, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1274, _e1259, _e303) & 2097151u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1289, _e1259, _e342) & 2097151u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1304, _e1259, _e380) & 2097151u))) * _e144))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1332, _e1317, _e303) & 2097151u))) * _e144)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1347, _e1317, _e342) & 2097151u))) * _e144)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1362, _e1317, _e380) & 2097151u))) * _e144))));
+                                                        let _e1363 = phi_1576_;
+                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1215, _e1199, _e304) & 2097151u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1231, _e1199, _e343) & 2097151u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1247, _e1199, _e381) & 2097151u))) * _e145))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1275, _e1260, _e304) & 2097151u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1290, _e1260, _e343) & 2097151u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1305, _e1260, _e381) & 2097151u))) * _e145))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1333, _e1318, _e304) & 2097151u))) * _e145)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1348, _e1318, _e343) & 2097151u))) * _e145)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1363, _e1318, _e381) & 2097151u))) * _e145))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1107 = (_e1105 + _e264);
-                                                        let _e1108 = (_e1107 < _e96);
-                                                        if _e1108 {
-                                                            if _e1108 {
+                                                        let _e1108 = (_e1106 + _e265);
+                                                        let _e1109 = (_e1108 < _e97);
+                                                        if _e1109 {
+                                                            if _e1109 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1110 = global_5.member[_e1107];
-                                                            phi_1602_ = _e1110;
+                                                            let _e1111 = global_5.member[_e1108];
+                                                            phi_1603_ = _e1111;
                                                         } else {
-                                                            phi_1602_ = 0u;
+                                                            phi_1603_ = 0u;
                                                         }
-                                                        let _e1112 = phi_1602_;
-                                                        let _e1116 = (_e1105 + _e263);
-                                                        let _e1117 = (_e1116 < _e96);
-                                                        if _e1117 {
-                                                            if _e1117 {
+                                                        let _e1113 = phi_1603_;
+                                                        let _e1117 = (_e1106 + _e264);
+                                                        let _e1118 = (_e1117 < _e97);
+                                                        if _e1118 {
+                                                            if _e1118 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1119 = global_5.member[_e1116];
-                                                            phi_1620_ = _e1119;
+                                                            let _e1120 = global_5.member[_e1117];
+                                                            phi_1621_ = _e1120;
                                                         } else {
-                                                            phi_1620_ = 0u;
+                                                            phi_1621_ = 0u;
                                                         }
-                                                        let _e1121 = phi_1620_;
-                                                        let _e1125 = (_e1105 + _e265);
-                                                        let _e1126 = (_e1125 < _e96);
-                                                        if _e1126 {
-                                                            if _e1126 {
+                                                        let _e1122 = phi_1621_;
+                                                        let _e1126 = (_e1106 + _e266);
+                                                        let _e1127 = (_e1126 < _e97);
+                                                        if _e1127 {
+                                                            if _e1127 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1128 = global_5.member[_e1125];
-                                                            phi_1638_ = _e1128;
+                                                            let _e1129 = global_5.member[_e1126];
+                                                            phi_1639_ = _e1129;
                                                         } else {
-                                                            phi_1638_ = 0u;
+                                                            phi_1639_ = 0u;
                                                         }
-                                                        let _e1130 = phi_1638_;
-                                                        let _e1135 = (_e1105 + 3u);
-                                                        let _e1136 = (_e1135 + _e264);
-                                                        let _e1137 = (_e1136 < _e96);
-                                                        if _e1137 {
-                                                            if _e1137 {
+                                                        let _e1131 = phi_1639_;
+                                                        let _e1136 = (_e1106 + 3u);
+                                                        let _e1137 = (_e1136 + _e265);
+                                                        let _e1138 = (_e1137 < _e97);
+                                                        if _e1138 {
+                                                            if _e1138 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1139 = global_5.member[_e1136];
-                                                            phi_1658_ = _e1139;
+                                                            let _e1140 = global_5.member[_e1137];
+                                                            phi_1659_ = _e1140;
                                                         } else {
-                                                            phi_1658_ = 0u;
+                                                            phi_1659_ = 0u;
                                                         }
-                                                        let _e1141 = phi_1658_;
-                                                        let _e1145 = (_e1135 + _e263);
-                                                        let _e1146 = (_e1145 < _e96);
-                                                        if _e1146 {
-                                                            if _e1146 {
+                                                        let _e1142 = phi_1659_;
+                                                        let _e1146 = (_e1136 + _e264);
+                                                        let _e1147 = (_e1146 < _e97);
+                                                        if _e1147 {
+                                                            if _e1147 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1148 = global_5.member[_e1145];
-                                                            phi_1676_ = _e1148;
+                                                            let _e1149 = global_5.member[_e1146];
+                                                            phi_1677_ = _e1149;
                                                         } else {
-                                                            phi_1676_ = 0u;
+                                                            phi_1677_ = 0u;
                                                         }
-                                                        let _e1150 = phi_1676_;
-                                                        let _e1154 = (_e1135 + _e265);
-                                                        let _e1155 = (_e1154 < _e96);
-                                                        if _e1155 {
-                                                            if _e1155 {
+                                                        let _e1151 = phi_1677_;
+                                                        let _e1155 = (_e1136 + _e266);
+                                                        let _e1156 = (_e1155 < _e97);
+                                                        if _e1156 {
+                                                            if _e1156 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1157 = global_5.member[_e1154];
-                                                            phi_1694_ = _e1157;
+                                                            let _e1158 = global_5.member[_e1155];
+                                                            phi_1695_ = _e1158;
                                                         } else {
-                                                            phi_1694_ = 0u;
+                                                            phi_1695_ = 0u;
                                                         }
-                                                        let _e1159 = phi_1694_;
-                                                        let _e1164 = (_e1105 + 6u);
-                                                        let _e1165 = (_e1164 + _e264);
-                                                        let _e1166 = (_e1165 < _e96);
-                                                        if _e1166 {
-                                                            if _e1166 {
+                                                        let _e1160 = phi_1695_;
+                                                        let _e1165 = (_e1106 + 6u);
+                                                        let _e1166 = (_e1165 + _e265);
+                                                        let _e1167 = (_e1166 < _e97);
+                                                        if _e1167 {
+                                                            if _e1167 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1168 = global_5.member[_e1165];
-                                                            phi_1714_ = _e1168;
+                                                            let _e1169 = global_5.member[_e1166];
+                                                            phi_1715_ = _e1169;
                                                         } else {
-                                                            phi_1714_ = 0u;
+                                                            phi_1715_ = 0u;
                                                         }
-                                                        let _e1170 = phi_1714_;
-                                                        let _e1174 = (_e1164 + _e263);
-                                                        let _e1175 = (_e1174 < _e96);
-                                                        if _e1175 {
-                                                            if _e1175 {
+                                                        let _e1171 = phi_1715_;
+                                                        let _e1175 = (_e1165 + _e264);
+                                                        let _e1176 = (_e1175 < _e97);
+                                                        if _e1176 {
+                                                            if _e1176 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1177 = global_5.member[_e1174];
-                                                            phi_1732_ = _e1177;
+                                                            let _e1178 = global_5.member[_e1175];
+                                                            phi_1733_ = _e1178;
                                                         } else {
-                                                            phi_1732_ = 0u;
+                                                            phi_1733_ = 0u;
                                                         }
-                                                        let _e1179 = phi_1732_;
-                                                        let _e1183 = (_e1164 + _e265);
-                                                        let _e1184 = (_e1183 < _e96);
-                                                        if _e1184 {
-                                                            if _e1184 {
+                                                        let _e1180 = phi_1733_;
+                                                        let _e1184 = (_e1165 + _e266);
+                                                        let _e1185 = (_e1184 < _e97);
+                                                        if _e1185 {
+                                                            if _e1185 {
                                                             } else {
-                                                                phi_4775_ = _e1033;
-                                                                phi_4628_ = true;
+                                                                phi_4773_ = _e1034;
+                                                                phi_4626_ = true;
                                                                 break;
                                                             }
-                                                            let _e1186 = global_5.member[_e1183];
-                                                            phi_1750_ = _e1186;
+                                                            let _e1187 = global_5.member[_e1184];
+                                                            phi_1751_ = _e1187;
                                                         } else {
-                                                            phi_1750_ = 0u;
+                                                            phi_1751_ = 0u;
                                                         }
-                                                        let _e1188 = phi_1750_;
-                                                        phi_1756_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1112)) * _e144), (f32(bitcast<i32>(_e1121)) * _e144), (f32(bitcast<i32>(_e1130)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1141)) * _e144), (f32(bitcast<i32>(_e1150)) * _e144), (f32(bitcast<i32>(_e1159)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1170)) * _e144), (f32(bitcast<i32>(_e1179)) * _e144), (f32(bitcast<i32>(_e1188)) * _e144)));
+                                                        let _e1189 = phi_1751_;
+                                                        phi_1757_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1113)) * _e145), (f32(bitcast<i32>(_e1122)) * _e145), (f32(bitcast<i32>(_e1131)) * _e145)), array<f32, 3>((f32(bitcast<i32>(_e1142)) * _e145), (f32(bitcast<i32>(_e1151)) * _e145), (f32(bitcast<i32>(_e1160)) * _e145)), array<f32, 3>((f32(bitcast<i32>(_e1171)) * _e145), (f32(bitcast<i32>(_e1180)) * _e145), (f32(bitcast<i32>(_e1189)) * _e145)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1756_ = array<array<f32, 3>, 3>();
+                                                        phi_1757_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1462 = phi_1756_;
-                                                let _e1469 = (_e1462[0][2] - _e390);
-                                                let _e1472 = (((_e1462[0][0] - _e313) * _e414) - (_e1469 * _e338));
-                                                let _e1475 = (((_e1462[0][1] - _e352) * _e414) - (_e1469 * _e376));
-                                                let _e1482 = (_e1462[1][2] - _e390);
-                                                let _e1485 = (((_e1462[1][0] - _e313) * _e414) - (_e1482 * _e338));
-                                                let _e1488 = (((_e1462[1][1] - _e352) * _e414) - (_e1482 * _e376));
-                                                let _e1495 = (_e1462[2][2] - _e390);
-                                                let _e1498 = (((_e1462[2][0] - _e313) * _e414) - (_e1495 * _e338));
-                                                let _e1501 = (((_e1462[2][1] - _e352) * _e414) - (_e1495 * _e376));
-                                                let _e1502 = (_e1498 * _e1488);
-                                                let _e1503 = (_e1501 * _e1485);
-                                                let _e1504 = (_e1472 * _e1501);
-                                                let _e1505 = (_e1475 * _e1498);
-                                                let _e1506 = (_e1485 * _e1475);
-                                                let _e1507 = (_e1488 * _e1472);
-                                                let _e1512 = (((_e1502 >= _e1503) && (_e1504 >= _e1505)) && (_e1506 >= _e1507));
-                                                if (_e1512 || (((_e1502 <= _e1503) && (_e1504 <= _e1505)) && (_e1506 <= _e1507))) {
-                                                    let _e1519 = select(-1f, 1f, _e1512);
-                                                    let _e1521 = ((_e1502 - _e1503) * _e1519);
-                                                    let _e1523 = select(0f, _e1521, (_e1521 > 0f));
-                                                    let _e1525 = ((_e1504 - _e1505) * _e1519);
-                                                    let _e1527 = select(0f, _e1525, (_e1525 > 0f));
-                                                    let _e1529 = ((_e1506 - _e1507) * _e1519);
-                                                    let _e1531 = select(0f, _e1529, (_e1529 > 0f));
-                                                    let _e1533 = ((_e1523 + _e1527) + _e1531);
-                                                    if (_e1533 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2585_ = type_20();
-                                                        phi_2586_ = true;
-                                                        phi_2587_ = false;
+                                                let _e1463 = phi_1757_;
+                                                let _e1470 = (_e1463[0][2] - _e391);
+                                                let _e1473 = (((_e1463[0][0] - _e314) * _e415) - (_e1470 * _e339));
+                                                let _e1476 = (((_e1463[0][1] - _e353) * _e415) - (_e1470 * _e377));
+                                                let _e1483 = (_e1463[1][2] - _e391);
+                                                let _e1486 = (((_e1463[1][0] - _e314) * _e415) - (_e1483 * _e339));
+                                                let _e1489 = (((_e1463[1][1] - _e353) * _e415) - (_e1483 * _e377));
+                                                let _e1496 = (_e1463[2][2] - _e391);
+                                                let _e1499 = (((_e1463[2][0] - _e314) * _e415) - (_e1496 * _e339));
+                                                let _e1502 = (((_e1463[2][1] - _e353) * _e415) - (_e1496 * _e377));
+                                                let _e1503 = (_e1499 * _e1489);
+                                                let _e1504 = (_e1502 * _e1486);
+                                                let _e1505 = (_e1473 * _e1502);
+                                                let _e1506 = (_e1476 * _e1499);
+                                                let _e1507 = (_e1486 * _e1476);
+                                                let _e1508 = (_e1489 * _e1473);
+                                                let _e1513 = (((_e1503 >= _e1504) && (_e1505 >= _e1506)) && (_e1507 >= _e1508));
+                                                if (_e1513 || (((_e1503 <= _e1504) && (_e1505 <= _e1506)) && (_e1507 <= _e1508))) {
+                                                    let _e1520 = select(-1f, 1f, _e1513);
+                                                    let _e1522 = ((_e1503 - _e1504) * _e1520);
+                                                    let _e1524 = select(0f, _e1522, (_e1522 > 0f));
+                                                    let _e1526 = ((_e1505 - _e1506) * _e1520);
+                                                    let _e1528 = select(0f, _e1526, (_e1526 > 0f));
+                                                    let _e1530 = ((_e1507 - _e1508) * _e1520);
+                                                    let _e1532 = select(0f, _e1530, (_e1530 > 0f));
+                                                    let _e1534 = ((_e1524 + _e1528) + _e1532);
+                                                    if (_e1534 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2583_ = type_20();
+                                                        phi_2584_ = true;
+                                                        phi_2585_ = false;
                                                     } else {
-                                                        let _e1536 = select(_e1485, _e1472, (_e1472 < _e1485));
-                                                        if (select(_e1498, _e1536, (_e1536 < _e1498)) > 0f) {
-                                                            phi_1874_ = true;
+                                                        let _e1537 = select(_e1486, _e1473, (_e1473 < _e1486));
+                                                        if (select(_e1499, _e1537, (_e1537 < _e1499)) > 0f) {
+                                                            phi_1875_ = true;
                                                         } else {
-                                                            let _e1541 = select(_e1485, _e1472, (_e1472 > _e1485));
-                                                            phi_1874_ = (select(_e1498, _e1541, (_e1541 > _e1498)) < 0f);
+                                                            let _e1542 = select(_e1486, _e1473, (_e1473 > _e1486));
+                                                            phi_1875_ = (select(_e1499, _e1542, (_e1542 > _e1499)) < 0f);
                                                         }
-                                                        let _e1546 = phi_1874_;
-                                                        if _e1546 {
-                                                            phi_2582_ = type_20();
-                                                            phi_2583_ = true;
-                                                            phi_2584_ = false;
+                                                        let _e1547 = phi_1875_;
+                                                        if _e1547 {
+                                                            phi_2580_ = type_20();
+                                                            phi_2581_ = true;
+                                                            phi_2582_ = false;
                                                         } else {
-                                                            let _e1548 = select(_e1488, _e1475, (_e1475 < _e1488));
-                                                            if (select(_e1501, _e1548, (_e1548 < _e1501)) > 0f) {
-                                                                phi_1903_ = true;
+                                                            let _e1549 = select(_e1489, _e1476, (_e1476 < _e1489));
+                                                            if (select(_e1502, _e1549, (_e1549 < _e1502)) > 0f) {
+                                                                phi_1904_ = true;
                                                             } else {
-                                                                let _e1553 = select(_e1488, _e1475, (_e1475 > _e1488));
-                                                                phi_1903_ = (select(_e1501, _e1553, (_e1553 > _e1501)) < 0f);
+                                                                let _e1554 = select(_e1489, _e1476, (_e1476 > _e1489));
+                                                                phi_1904_ = (select(_e1502, _e1554, (_e1554 > _e1502)) < 0f);
                                                             }
-                                                            let _e1558 = phi_1903_;
-                                                            if _e1558 {
-                                                                phi_2580_ = type_20();
-                                                                phi_2581_ = false;
+                                                            let _e1559 = phi_1904_;
+                                                            if _e1559 {
+                                                                phi_2578_ = type_20();
+                                                                phi_2579_ = false;
                                                             } else {
-                                                                let _e1560 = select(_e1462[1][0], _e1462[0][0], (_e1462[0][0] < _e1462[1][0]));
-                                                                let _e1564 = select(_e1462[1][0], _e1462[0][0], (_e1462[0][0] > _e1462[1][0]));
-                                                                let _e1568 = select(_e1462[1][1], _e1462[0][1], (_e1462[0][1] < _e1462[1][1]));
-                                                                let _e1572 = select(_e1462[1][1], _e1462[0][1], (_e1462[0][1] > _e1462[1][1]));
-                                                                let _e1576 = select(_e1462[1][2], _e1462[0][2], (_e1462[0][2] < _e1462[1][2]));
-                                                                let _e1580 = select(_e1462[1][2], _e1462[0][2], (_e1462[0][2] > _e1462[1][2]));
-                                                                let _e1585 = ((select(_e1462[2][0], _e1560, (_e1560 < _e1462[2][0])) - _e336) * _e341);
-                                                                let _e1586 = ((select(_e1462[2][0], _e1564, (_e1564 > _e1462[2][0])) - _e337) * _e341);
-                                                                let _e1589 = ((select(_e1462[2][1], _e1568, (_e1568 < _e1462[2][1])) - _e374) * _e379);
-                                                                let _e1590 = ((select(_e1462[2][1], _e1572, (_e1572 > _e1462[2][1])) - _e375) * _e379);
-                                                                let _e1593 = ((select(_e1462[2][2], _e1576, (_e1576 < _e1462[2][2])) - _e412) * _e417);
-                                                                let _e1594 = ((select(_e1462[2][2], _e1580, (_e1580 > _e1462[2][2])) - _e413) * _e417);
-                                                                let _e1596 = select(_e1594, _e1593, (_e1593 < _e1594));
-                                                                let _e1598 = select(_e1594, _e1593, (_e1593 > _e1594));
-                                                                let _e1600 = select(_e1586, _e1585, (_e1585 < _e1586));
-                                                                let _e1602 = select(_e1590, _e1589, (_e1589 < _e1590));
-                                                                let _e1604 = select(_e1602, _e1600, (_e1600 > _e1602));
-                                                                let _e1606 = select(_e1596, _e1604, (_e1604 > _e1596));
-                                                                let _e1608 = select(_e1586, _e1585, (_e1585 > _e1586));
-                                                                let _e1610 = select(_e1590, _e1589, (_e1589 > _e1590));
-                                                                let _e1612 = select(_e1610, _e1608, (_e1608 < _e1610));
-                                                                let _e1614 = select(_e1598, _e1612, (_e1612 < _e1598));
-                                                                let _e1615 = -(_e1596);
-                                                                let _e1621 = select(_e464, _e1606, (_e1606 > _e464));
-                                                                if (_e1621 > (_e1614 + (select(_e1615, _e1598, (_e1598 > _e1615)) * 0.0000019073523f))) {
-                                                                    phi_2575_ = type_20();
-                                                                    phi_2576_ = true;
+                                                                let _e1561 = select(_e1463[1][0], _e1463[0][0], (_e1463[0][0] < _e1463[1][0]));
+                                                                let _e1565 = select(_e1463[1][0], _e1463[0][0], (_e1463[0][0] > _e1463[1][0]));
+                                                                let _e1569 = select(_e1463[1][1], _e1463[0][1], (_e1463[0][1] < _e1463[1][1]));
+                                                                let _e1573 = select(_e1463[1][1], _e1463[0][1], (_e1463[0][1] > _e1463[1][1]));
+                                                                let _e1577 = select(_e1463[1][2], _e1463[0][2], (_e1463[0][2] < _e1463[1][2]));
+                                                                let _e1581 = select(_e1463[1][2], _e1463[0][2], (_e1463[0][2] > _e1463[1][2]));
+                                                                let _e1586 = ((select(_e1463[2][0], _e1561, (_e1561 < _e1463[2][0])) - _e337) * _e342);
+                                                                let _e1587 = ((select(_e1463[2][0], _e1565, (_e1565 > _e1463[2][0])) - _e338) * _e342);
+                                                                let _e1590 = ((select(_e1463[2][1], _e1569, (_e1569 < _e1463[2][1])) - _e375) * _e380);
+                                                                let _e1591 = ((select(_e1463[2][1], _e1573, (_e1573 > _e1463[2][1])) - _e376) * _e380);
+                                                                let _e1594 = ((select(_e1463[2][2], _e1577, (_e1577 < _e1463[2][2])) - _e413) * _e418);
+                                                                let _e1595 = ((select(_e1463[2][2], _e1581, (_e1581 > _e1463[2][2])) - _e414) * _e418);
+                                                                let _e1597 = select(_e1595, _e1594, (_e1594 < _e1595));
+                                                                let _e1599 = select(_e1595, _e1594, (_e1594 > _e1595));
+                                                                let _e1601 = select(_e1587, _e1586, (_e1586 < _e1587));
+                                                                let _e1603 = select(_e1591, _e1590, (_e1590 < _e1591));
+                                                                let _e1605 = select(_e1603, _e1601, (_e1601 > _e1603));
+                                                                let _e1607 = select(_e1597, _e1605, (_e1605 > _e1597));
+                                                                let _e1609 = select(_e1587, _e1586, (_e1586 > _e1587));
+                                                                let _e1611 = select(_e1591, _e1590, (_e1590 > _e1591));
+                                                                let _e1613 = select(_e1611, _e1609, (_e1609 < _e1611));
+                                                                let _e1615 = select(_e1599, _e1613, (_e1613 < _e1599));
+                                                                let _e1616 = -(_e1597);
+                                                                let _e1622 = select(_e465, _e1607, (_e1607 > _e465));
+                                                                if (_e1622 > (_e1615 + (select(_e1616, _e1599, (_e1599 > _e1616)) * 0.0000019073523f))) {
+                                                                    phi_2573_ = type_20();
+                                                                    phi_2574_ = true;
                                                                 } else {
-                                                                    let _e1623 = (_e1621 > _e1033);
-                                                                    if _e1623 {
-                                                                        phi_2574_ = type_20();
+                                                                    let _e1624 = (_e1622 > _e1034);
+                                                                    if _e1624 {
+                                                                        phi_2572_ = type_20();
                                                                     } else {
-                                                                        let _e1624 = vec3<f32>(_e1462[0][0], _e1462[0][1], _e1462[0][2]);
-                                                                        let _e1625 = vec3<f32>(_e1462[1][0], _e1462[1][1], _e1462[1][2]);
-                                                                        let _e1626 = vec3<f32>(_e1462[2][0], _e1462[2][1], _e1462[2][2]);
-                                                                        let _e1627 = (_e1462[1][0] - _e1462[0][0]);
-                                                                        let _e1628 = (_e1462[1][1] - _e1462[0][1]);
-                                                                        let _e1629 = (_e1462[1][2] - _e1462[0][2]);
-                                                                        let _e1630 = vec3<f32>(_e1627, _e1628, _e1629);
-                                                                        let _e1631 = (_e1462[2][0] - _e1462[1][0]);
-                                                                        let _e1632 = (_e1462[2][1] - _e1462[1][1]);
-                                                                        let _e1633 = (_e1462[2][2] - _e1462[1][2]);
-                                                                        let _e1634 = vec3<f32>(_e1631, _e1632, _e1633);
-                                                                        let _e1635 = (_e1462[0][0] - _e1462[2][0]);
-                                                                        let _e1636 = (_e1462[0][1] - _e1462[2][1]);
-                                                                        let _e1637 = (_e1462[0][2] - _e1462[2][2]);
-                                                                        let _e1638 = vec3<f32>(_e1635, _e1636, _e1637);
-                                                                        let _e1641 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                        let _e1644 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                        let _e1646 = select(_e1644, _e1641, (_e1641 > _e1644));
-                                                                        let _e1649 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
-                                                                        let _e1651 = select(_e1649, _e1646, (_e1646 > _e1649));
-                                                                        let _e1654 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
-                                                                        let _e1657 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
-                                                                        let _e1659 = select(_e1657, _e1654, (_e1654 > _e1657));
-                                                                        let _e1662 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
-                                                                        let _e1664 = select(_e1662, _e1659, (_e1659 > _e1662));
-                                                                        let _e1667 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
-                                                                        let _e1670 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
-                                                                        let _e1672 = select(_e1670, _e1667, (_e1667 > _e1670));
-                                                                        let _e1675 = bitcast<f32>((bitcast<u32>(_e1637) & 2147483647u));
-                                                                        let _e1677 = select(_e1675, _e1672, (_e1672 > _e1675));
-                                                                        let _e1679 = select(_e1664, _e1651, (_e1651 > _e1664));
-                                                                        let _e1681 = select(_e1677, _e1679, (_e1679 > _e1677));
-                                                                        if (_e1651 == _e1681) {
-                                                                            phi_2304_ = _e1488;
-                                                                            phi_2305_ = _e1485;
-                                                                            phi_2306_ = _e1475;
-                                                                            phi_2307_ = _e1472;
-                                                                            phi_2308_ = _e1624;
-                                                                            phi_2309_ = _e1638;
-                                                                            phi_2310_ = _e1634;
-                                                                            phi_2311_ = _e1630;
+                                                                        let _e1625 = vec3<f32>(_e1463[0][0], _e1463[0][1], _e1463[0][2]);
+                                                                        let _e1626 = vec3<f32>(_e1463[1][0], _e1463[1][1], _e1463[1][2]);
+                                                                        let _e1627 = vec3<f32>(_e1463[2][0], _e1463[2][1], _e1463[2][2]);
+                                                                        let _e1628 = (_e1463[1][0] - _e1463[0][0]);
+                                                                        let _e1629 = (_e1463[1][1] - _e1463[0][1]);
+                                                                        let _e1630 = (_e1463[1][2] - _e1463[0][2]);
+                                                                        let _e1631 = vec3<f32>(_e1628, _e1629, _e1630);
+                                                                        let _e1632 = (_e1463[2][0] - _e1463[1][0]);
+                                                                        let _e1633 = (_e1463[2][1] - _e1463[1][1]);
+                                                                        let _e1634 = (_e1463[2][2] - _e1463[1][2]);
+                                                                        let _e1635 = vec3<f32>(_e1632, _e1633, _e1634);
+                                                                        let _e1636 = (_e1463[0][0] - _e1463[2][0]);
+                                                                        let _e1637 = (_e1463[0][1] - _e1463[2][1]);
+                                                                        let _e1638 = (_e1463[0][2] - _e1463[2][2]);
+                                                                        let _e1639 = vec3<f32>(_e1636, _e1637, _e1638);
+                                                                        let _e1642 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
+                                                                        let _e1645 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
+                                                                        let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
+                                                                        let _e1650 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
+                                                                        let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
+                                                                        let _e1655 = bitcast<f32>((bitcast<u32>(_e1632) & 2147483647u));
+                                                                        let _e1658 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
+                                                                        let _e1660 = select(_e1658, _e1655, (_e1655 > _e1658));
+                                                                        let _e1663 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
+                                                                        let _e1665 = select(_e1663, _e1660, (_e1660 > _e1663));
+                                                                        let _e1668 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
+                                                                        let _e1671 = bitcast<f32>((bitcast<u32>(_e1637) & 2147483647u));
+                                                                        let _e1673 = select(_e1671, _e1668, (_e1668 > _e1671));
+                                                                        let _e1676 = bitcast<f32>((bitcast<u32>(_e1638) & 2147483647u));
+                                                                        let _e1678 = select(_e1676, _e1673, (_e1673 > _e1676));
+                                                                        let _e1680 = select(_e1665, _e1652, (_e1652 > _e1665));
+                                                                        let _e1682 = select(_e1678, _e1680, (_e1680 > _e1678));
+                                                                        if (_e1652 == _e1682) {
+                                                                            phi_2305_ = _e1489;
+                                                                            phi_2306_ = _e1486;
+                                                                            phi_2307_ = _e1476;
+                                                                            phi_2308_ = _e1473;
+                                                                            phi_2309_ = _e1625;
+                                                                            phi_2310_ = _e1639;
+                                                                            phi_2311_ = _e1635;
+                                                                            phi_2312_ = _e1631;
                                                                         } else {
-                                                                            let _e1683 = (_e1664 == _e1681);
-                                                                            let _e1688 = vec3(_e1683);
-                                                                            phi_2304_ = select(_e1475, _e1501, _e1683);
-                                                                            phi_2305_ = select(_e1472, _e1498, _e1683);
-                                                                            phi_2306_ = select(_e1501, _e1488, _e1683);
-                                                                            phi_2307_ = select(_e1498, _e1485, _e1683);
-                                                                            phi_2308_ = select(_e1626, _e1625, _e1688);
-                                                                            phi_2309_ = select(_e1634, _e1630, _e1688);
-                                                                            phi_2310_ = select(_e1630, _e1638, _e1688);
-                                                                            phi_2311_ = select(_e1638, _e1634, _e1688);
+                                                                            let _e1684 = (_e1665 == _e1682);
+                                                                            let _e1689 = vec3(_e1684);
+                                                                            phi_2305_ = select(_e1476, _e1502, _e1684);
+                                                                            phi_2306_ = select(_e1473, _e1499, _e1684);
+                                                                            phi_2307_ = select(_e1502, _e1489, _e1684);
+                                                                            phi_2308_ = select(_e1499, _e1486, _e1684);
+                                                                            phi_2309_ = select(_e1627, _e1626, _e1689);
+                                                                            phi_2310_ = select(_e1635, _e1631, _e1689);
+                                                                            phi_2311_ = select(_e1631, _e1639, _e1689);
+                                                                            phi_2312_ = select(_e1639, _e1635, _e1689);
                                                                         }
-                                                                        let _e1694 = phi_2304_;
-                                                                        let _e1696 = phi_2305_;
-                                                                        let _e1698 = phi_2306_;
-                                                                        let _e1700 = phi_2307_;
-                                                                        let _e1702 = phi_2308_;
-                                                                        let _e1704 = phi_2309_;
-                                                                        let _e1706 = phi_2310_;
-                                                                        let _e1708 = phi_2311_;
-                                                                        let _e1715 = ((_e1706.y * _e1704.z) - (_e1704.y * _e1706.z));
-                                                                        let _e1720 = ((_e1706.z * _e1704.x) - (_e1704.z * _e1706.x));
-                                                                        let _e1723 = ((_e1706.x * _e1704.y) - (_e1704.x * _e1706.y));
-                                                                        if (_e1523 >= _e1527) {
-                                                                            phi_2342_ = select(true, false, (_e1523 >= _e1531));
+                                                                        let _e1695 = phi_2305_;
+                                                                        let _e1697 = phi_2306_;
+                                                                        let _e1699 = phi_2307_;
+                                                                        let _e1701 = phi_2308_;
+                                                                        let _e1703 = phi_2309_;
+                                                                        let _e1705 = phi_2310_;
+                                                                        let _e1707 = phi_2311_;
+                                                                        let _e1709 = phi_2312_;
+                                                                        let _e1716 = ((_e1707.y * _e1705.z) - (_e1705.y * _e1707.z));
+                                                                        let _e1721 = ((_e1707.z * _e1705.x) - (_e1705.z * _e1707.x));
+                                                                        let _e1724 = ((_e1707.x * _e1705.y) - (_e1705.x * _e1707.y));
+                                                                        if (_e1524 >= _e1528) {
+                                                                            phi_2343_ = select(true, false, (_e1524 >= _e1532));
                                                                         } else {
-                                                                            phi_2342_ = true;
+                                                                            phi_2343_ = true;
                                                                         }
-                                                                        let _e1728 = phi_2342_;
-                                                                        if _e1728 {
-                                                                            phi_2351_ = select(_e1626, _e1625, vec3((_e1527 >= _e1531)));
+                                                                        let _e1729 = phi_2343_;
+                                                                        if _e1729 {
+                                                                            phi_2352_ = select(_e1627, _e1626, vec3((_e1528 >= _e1532)));
                                                                         } else {
-                                                                            phi_2351_ = _e1624;
+                                                                            phi_2352_ = _e1625;
                                                                         }
-                                                                        let _e1733 = phi_2351_;
-                                                                        let _e1738 = (((_e1715 * _e338) + (_e1720 * _e376)) + (_e1723 * _e414));
-                                                                        let _e1749 = (((_e1715 * (_e1733.x - _e313)) + (_e1720 * (_e1733.y - _e352))) + (_e1723 * (_e1733.z - _e390)));
-                                                                        let _e1751 = (_e1696 - _e1700);
-                                                                        let _e1752 = (_e1694 - _e1698);
-                                                                        let _e1760 = (-(((_e1700 * _e1751) + (_e1698 * _e1752))) / ((_e1751 * _e1751) + (_e1752 * _e1752)));
+                                                                        let _e1734 = phi_2352_;
+                                                                        let _e1745 = (((_e1716 * (_e1734.x - _e314)) + (_e1721 * (_e1734.y - _e353))) + (_e1724 * (_e1734.z - _e391)));
+                                                                        let _e1750 = (((_e1716 * _e339) + (_e1721 * _e377)) + (_e1724 * _e415));
+                                                                        let _e1751 = (_e1697 - _e1701);
+                                                                        let _e1752 = (_e1695 - _e1699);
+                                                                        let _e1760 = (-(((_e1701 * _e1751) + (_e1699 * _e1752))) / ((_e1751 * _e1751) + (_e1752 * _e1752)));
                                                                         let _e1762 = select(1f, _e1760, (_e1760 < 1f));
                                                                         let _e1764 = select(0f, _e1762, (_e1762 > 0f));
-                                                                        let _e1777 = ((_e1702.x + (_e1708.x * _e1764)) - _e313);
-                                                                        let _e1778 = ((_e1702.y + (_e1708.y * _e1764)) - _e352);
-                                                                        let _e1779 = ((_e1702.z + (_e1708.z * _e1764)) - _e390);
-                                                                        let _e1780 = (_e1779 / _e414);
+                                                                        let _e1777 = ((_e1703.x + (_e1709.x * _e1764)) - _e314);
+                                                                        let _e1778 = ((_e1703.y + (_e1709.y * _e1764)) - _e353);
+                                                                        let _e1779 = ((_e1703.z + (_e1709.z * _e1764)) - _e391);
+                                                                        let _e1780 = (_e1779 / _e415);
                                                                         let _e1792 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
                                                                         let _e1795 = bitcast<f32>((bitcast<u32>(_e1778) & 2147483647u));
                                                                         let _e1797 = select(_e1795, _e1792, (_e1792 > _e1795));
                                                                         let _e1800 = bitcast<f32>((bitcast<u32>(_e1779) & 2147483647u));
                                                                         let _e1802 = select(_e1800, _e1797, (_e1797 > _e1800));
-                                                                        let _e1808 = bitcast<f32>((bitcast<u32>(_e1715) & 2147483647u));
-                                                                        let _e1811 = bitcast<f32>((bitcast<u32>(_e1720) & 2147483647u));
+                                                                        let _e1808 = bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u));
+                                                                        let _e1811 = bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u));
                                                                         let _e1813 = select(_e1811, _e1808, (_e1808 > _e1811));
-                                                                        let _e1816 = bitcast<f32>((bitcast<u32>(_e1723) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1715 * _e1777) + (_e1720 * _e1778)) + (_e1723 * _e1779)) - _e1749)) & 2147483647u)) <= ((0.0000009536743f * select(_e1681, _e1802, (_e1802 > _e1681))) * select(_e1816, _e1813, (_e1813 > _e1816)))) {
-                                                                            let _e1826 = bitcast<f32>((bitcast<u32>(_e1706.x) & 2147483647u));
-                                                                            let _e1829 = bitcast<f32>((bitcast<u32>(_e1706.y) & 2147483647u));
+                                                                        let _e1816 = bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1716 * _e1777) + (_e1721 * _e1778)) + (_e1724 * _e1779)) - _e1745)) & 2147483647u)) <= ((0.0000009536743f * select(_e1682, _e1802, (_e1802 > _e1682))) * select(_e1816, _e1813, (_e1813 > _e1816)))) {
+                                                                            let _e1826 = bitcast<f32>((bitcast<u32>(_e1707.x) & 2147483647u));
+                                                                            let _e1829 = bitcast<f32>((bitcast<u32>(_e1707.y) & 2147483647u));
                                                                             let _e1831 = select(_e1829, _e1826, (_e1826 > _e1829));
-                                                                            let _e1834 = bitcast<f32>((bitcast<u32>(_e1706.z) & 2147483647u));
-                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1704.x) & 2147483647u));
-                                                                            let _e1843 = bitcast<f32>((bitcast<u32>(_e1704.y) & 2147483647u));
+                                                                            let _e1834 = bitcast<f32>((bitcast<u32>(_e1707.z) & 2147483647u));
+                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1705.x) & 2147483647u));
+                                                                            let _e1843 = bitcast<f32>((bitcast<u32>(_e1705.y) & 2147483647u));
                                                                             let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
-                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1704.z) & 2147483647u));
-                                                                            phi_2518_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1738) & 2147483647u)) > ((0.0000038146973f * select(_e1834, _e1831, (_e1831 > _e1834))) * select(_e1848, _e1845, (_e1845 > _e1848)))));
-                                                                        } else {
-                                                                            phi_2518_ = true;
-                                                                        }
-                                                                        let _e1855 = phi_2518_;
-                                                                        if _e1855 {
-                                                                            let _e1866 = ((((_e1715 * (_e1777 - (_e338 * _e1780))) + (_e1720 * (_e1778 - (_e376 * _e1780)))) + (_e1723 * (_e1779 - _e1779))) / _e1738);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1866) & 2147483647u)) <= _e1681) {
-                                                                                phi_2542_ = (_e1780 + _e1866);
+                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1705.z) & 2147483647u));
+                                                                            let _e1852 = (bitcast<f32>((bitcast<u32>(_e1750) & 2147483647u)) > ((0.0000038146973f * select(_e1834, _e1831, (_e1831 > _e1834))) * select(_e1848, _e1845, (_e1845 > _e1848))));
+                                                                            if _e1852 {
+                                                                                phi_2517_ = (_e1745 / _e1750);
                                                                             } else {
-                                                                                phi_2542_ = _e1780;
+                                                                                phi_2517_ = f32();
                                                                             }
-                                                                            let _e1873 = phi_2542_;
-                                                                            phi_2543_ = _e1873;
+                                                                            let _e1855 = phi_2517_;
+                                                                            phi_2519_ = _e1855;
+                                                                            phi_2520_ = select(true, false, _e1852);
                                                                         } else {
-                                                                            phi_2543_ = (_e1749 / _e1738);
+                                                                            phi_2519_ = f32();
+                                                                            phi_2520_ = true;
                                                                         }
-                                                                        let _e1875 = phi_2543_;
-                                                                        let _e1877 = select(_e1614, _e1875, (_e1875 < _e1614));
-                                                                        let _e1879 = select(_e1606, _e1877, (_e1877 > _e1606));
-                                                                        if (_e1879 >= _e464) {
-                                                                            let _e1881 = (_e1879 <= _e1033);
-                                                                            if _e1881 {
-                                                                                let _e1882 = (1f / _e1533);
-                                                                                phi_2566_ = type_20(_e1879, (_e1527 * _e1882), (_e1531 * _e1882), _e1093);
+                                                                        let _e1858 = phi_2519_;
+                                                                        let _e1860 = phi_2520_;
+                                                                        if _e1860 {
+                                                                            let _e1868 = (((_e1716 * (_e1777 - (_e339 * _e1780))) + (_e1721 * (_e1778 - (_e377 * _e1780)))) / _e1750);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1868) & 2147483647u)) <= _e1682) {
+                                                                                phi_2540_ = (_e1780 + _e1868);
                                                                             } else {
-                                                                                phi_2566_ = type_20();
+                                                                                phi_2540_ = _e1780;
                                                                             }
-                                                                            let _e1887 = phi_2566_;
-                                                                            phi_2568_ = _e1887;
-                                                                            phi_2569_ = select(true, false, _e1881);
+                                                                            let _e1875 = phi_2540_;
+                                                                            phi_2541_ = _e1875;
                                                                         } else {
-                                                                            phi_2568_ = type_20();
-                                                                            phi_2569_ = true;
+                                                                            phi_2541_ = _e1858;
                                                                         }
-                                                                        let _e1890 = phi_2568_;
-                                                                        let _e1892 = phi_2569_;
-                                                                        if _e1892 {
-                                                                            phi_2573_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1877 = phi_2541_;
+                                                                        let _e1879 = select(_e1615, _e1877, (_e1877 < _e1615));
+                                                                        let _e1881 = select(_e1607, _e1879, (_e1879 > _e1607));
+                                                                        if (_e1881 >= _e465) {
+                                                                            let _e1883 = (_e1881 <= _e1034);
+                                                                            if _e1883 {
+                                                                                let _e1884 = (1f / _e1534);
+                                                                                phi_2564_ = type_20(_e1881, (_e1528 * _e1884), (_e1532 * _e1884), _e1094);
+                                                                            } else {
+                                                                                phi_2564_ = type_20();
+                                                                            }
+                                                                            let _e1889 = phi_2564_;
+                                                                            phi_2566_ = _e1889;
+                                                                            phi_2567_ = select(true, false, _e1883);
                                                                         } else {
-                                                                            phi_2573_ = _e1890;
+                                                                            phi_2566_ = type_20();
+                                                                            phi_2567_ = true;
                                                                         }
-                                                                        let _e1894 = phi_2573_;
-                                                                        phi_2574_ = _e1894;
+                                                                        let _e1892 = phi_2566_;
+                                                                        let _e1894 = phi_2567_;
+                                                                        if _e1894 {
+                                                                            phi_2571_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2571_ = _e1892;
+                                                                        }
+                                                                        let _e1896 = phi_2571_;
+                                                                        phi_2572_ = _e1896;
                                                                     }
-                                                                    let _e1896 = phi_2574_;
-                                                                    phi_2575_ = _e1896;
-                                                                    phi_2576_ = _e1623;
+                                                                    let _e1898 = phi_2572_;
+                                                                    phi_2573_ = _e1898;
+                                                                    phi_2574_ = _e1624;
                                                                 }
-                                                                let _e1898 = phi_2575_;
-                                                                let _e1900 = phi_2576_;
-                                                                phi_2580_ = _e1898;
-                                                                phi_2581_ = _e1900;
+                                                                let _e1900 = phi_2573_;
+                                                                let _e1902 = phi_2574_;
+                                                                phi_2578_ = _e1900;
+                                                                phi_2579_ = _e1902;
                                                             }
-                                                            let _e1902 = phi_2580_;
-                                                            let _e1904 = phi_2581_;
-                                                            phi_2582_ = _e1902;
-                                                            phi_2583_ = _e1558;
-                                                            phi_2584_ = _e1904;
+                                                            let _e1904 = phi_2578_;
+                                                            let _e1906 = phi_2579_;
+                                                            phi_2580_ = _e1904;
+                                                            phi_2581_ = _e1559;
+                                                            phi_2582_ = _e1906;
                                                         }
-                                                        let _e1906 = phi_2582_;
-                                                        let _e1908 = phi_2583_;
-                                                        let _e1910 = phi_2584_;
-                                                        phi_2585_ = _e1906;
-                                                        phi_2586_ = _e1908;
-                                                        phi_2587_ = _e1910;
+                                                        let _e1908 = phi_2580_;
+                                                        let _e1910 = phi_2581_;
+                                                        let _e1912 = phi_2582_;
+                                                        phi_2583_ = _e1908;
+                                                        phi_2584_ = _e1910;
+                                                        phi_2585_ = _e1912;
                                                     }
-                                                    let _e1912 = phi_2585_;
-                                                    let _e1914 = phi_2586_;
-                                                    let _e1916 = phi_2587_;
-                                                    phi_2595_ = _e1912;
-                                                    phi_2596_ = select(_e1916, true, _e1914);
+                                                    let _e1914 = phi_2583_;
+                                                    let _e1916 = phi_2584_;
+                                                    let _e1918 = phi_2585_;
+                                                    phi_2593_ = _e1914;
+                                                    phi_2594_ = select(_e1918, true, _e1916);
                                                 } else {
-                                                    phi_2595_ = type_20();
-                                                    phi_2596_ = true;
+                                                    phi_2593_ = type_20();
+                                                    phi_2594_ = true;
                                                 }
-                                                let _e1919 = phi_2595_;
-                                                let _e1921 = phi_2596_;
-                                                if _e1921 {
-                                                    phi_2600_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1921 = phi_2593_;
+                                                let _e1923 = phi_2594_;
+                                                if _e1923 {
+                                                    phi_2598_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2600_ = _e1919;
+                                                    phi_2598_ = _e1921;
                                                 }
-                                                let _e1923 = phi_2600_;
-                                                if (_e1923.member_3 != 4294967295u) {
-                                                    if (_e1093 != 4294967295u) {
-                                                        phi_2612_ = type_8(0u, 8u);
-                                                        phi_2615_ = _e1923;
+                                                let _e1925 = phi_2598_;
+                                                if (_e1925.member_3 != 4294967295u) {
+                                                    if (_e1094 != 4294967295u) {
+                                                        phi_2610_ = type_8(0u, 8u);
+                                                        phi_2613_ = _e1925;
                                                         loop {
-                                                            let _e1928 = phi_2612_;
-                                                            let _e1930 = phi_2615_;
-                                                            if (_e1928.member < _e1928.member_1) {
-                                                                phi_2613_ = type_8((_e1928.member + 1u), _e1928.member_1);
-                                                                phi_2638_ = type_8(1u, _e1928.member);
+                                                            let _e1930 = phi_2610_;
+                                                            let _e1932 = phi_2613_;
+                                                            if (_e1930.member < _e1930.member_1) {
+                                                                phi_2611_ = type_8((_e1930.member + 1u), _e1930.member_1);
+                                                                phi_2636_ = type_8(1u, _e1930.member);
                                                             } else {
-                                                                phi_2613_ = _e1928;
-                                                                phi_2638_ = type_8(0u, type_8().member_1);
+                                                                phi_2611_ = _e1930;
+                                                                phi_2636_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1943 = phi_2613_;
-                                                            let _e1945 = phi_2638_;
-                                                            let _e1949 = (bitcast<i32>(_e1945.member) != 0i);
-                                                            if _e1949 {
-                                                                let _e1950 = (_e1945.member_1 < 8u);
-                                                                if _e1950 {
+                                                            let _e1945 = phi_2611_;
+                                                            let _e1947 = phi_2636_;
+                                                            let _e1951 = (bitcast<i32>(_e1947.member) != 0i);
+                                                            if _e1951 {
+                                                                let _e1952 = (_e1947.member_1 < 8u);
+                                                                if _e1952 {
                                                                 } else {
-                                                                    phi_4439_ = true;
+                                                                    phi_4437_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1955 = local_9[_e1945.member_1].member;
-                                                                if (_e1930.member < _e1955) {
-                                                                    phi_2671_ = true;
+                                                                let _e1957 = local_9[_e1947.member_1].member;
+                                                                if (_e1932.member < _e1957) {
+                                                                    phi_2669_ = true;
                                                                 } else {
-                                                                    let _e1957 = local_9[_e1945.member_1].member;
-                                                                    if (_e1930.member == _e1957) {
-                                                                        let _e1962 = local_9[_e1945.member_1].member_3;
-                                                                        phi_2670_ = (_e1930.member_3 < _e1962);
+                                                                    let _e1959 = local_9[_e1947.member_1].member;
+                                                                    if (_e1932.member == _e1959) {
+                                                                        let _e1964 = local_9[_e1947.member_1].member_3;
+                                                                        phi_2668_ = (_e1932.member_3 < _e1964);
                                                                     } else {
-                                                                        phi_2670_ = false;
+                                                                        phi_2668_ = false;
                                                                     }
-                                                                    let _e1965 = phi_2670_;
-                                                                    phi_2671_ = _e1965;
+                                                                    let _e1967 = phi_2668_;
+                                                                    phi_2669_ = _e1967;
                                                                 }
-                                                                let _e1967 = phi_2671_;
-                                                                if _e1967 {
-                                                                    if _e1950 {
+                                                                let _e1969 = phi_2669_;
+                                                                if _e1969 {
+                                                                    if _e1952 {
                                                                     } else {
-                                                                        phi_4439_ = true;
+                                                                        phi_4437_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1968 = local_9[_e1945.member_1];
-                                                                    local_9[_e1945.member_1] = type_20(_e1930.member, _e1930.member_1, _e1930.member_2, _e1930.member_3);
-                                                                    phi_2692_ = type_20(_e1968.member, _e1968.member_1, _e1968.member_2, _e1968.member_3);
+                                                                    let _e1970 = local_9[_e1947.member_1];
+                                                                    local_9[_e1947.member_1] = type_20(_e1932.member, _e1932.member_1, _e1932.member_2, _e1932.member_3);
+                                                                    phi_2690_ = type_20(_e1970.member, _e1970.member_1, _e1970.member_2, _e1970.member_3);
                                                                 } else {
-                                                                    phi_2692_ = _e1930;
+                                                                    phi_2690_ = _e1932;
                                                                 }
-                                                                let _e1979 = phi_2692_;
-                                                                phi_2616_ = _e1979;
+                                                                let _e1981 = phi_2690_;
+                                                                phi_2614_ = _e1981;
                                                             } else {
-                                                                phi_2616_ = type_20();
+                                                                phi_2614_ = type_20();
                                                             }
-                                                            let _e1981 = phi_2616_;
+                                                            let _e1983 = phi_2614_;
                                                             continue;
                                                             continuing {
-                                                                phi_2612_ = _e1943;
-                                                                phi_2615_ = _e1981;
-                                                                phi_4439_ = _e1031;
-                                                                break if !(_e1949);
+                                                                phi_2610_ = _e1945;
+                                                                phi_2613_ = _e1983;
+                                                                phi_4437_ = _e1032;
+                                                                break if !(_e1951);
                                                             }
                                                         }
-                                                        let _e1984 = phi_4439_;
-                                                        phi_4775_ = _e1033;
-                                                        phi_4628_ = _e1984;
-                                                        if _e1984 {
+                                                        let _e1986 = phi_4437_;
+                                                        phi_4773_ = _e1034;
+                                                        phi_4626_ = _e1986;
+                                                        if _e1986 {
                                                             break;
                                                         }
-                                                        let _e1987 = local_9[7u].member_3;
-                                                        if (_e1987 != 4294967295u) {
-                                                            let _e1991 = local_9[7u].member;
-                                                            phi_4866_ = _e1991;
+                                                        let _e1989 = local_9[7u].member_3;
+                                                        if (_e1989 != 4294967295u) {
+                                                            let _e1993 = local_9[7u].member;
+                                                            phi_4864_ = _e1993;
                                                         } else {
-                                                            phi_4866_ = _e1033;
+                                                            phi_4864_ = _e1034;
                                                         }
-                                                        let _e1993 = phi_4866_;
-                                                        phi_4865_ = _e1993;
-                                                        phi_4631_ = _e1984;
+                                                        let _e1995 = phi_4864_;
+                                                        phi_4863_ = _e1995;
+                                                        phi_4629_ = _e1986;
                                                     } else {
-                                                        phi_4865_ = _e1033;
-                                                        phi_4631_ = _e1031;
+                                                        phi_4863_ = _e1034;
+                                                        phi_4629_ = _e1032;
                                                     }
-                                                    let _e1995 = phi_4865_;
-                                                    let _e1997 = phi_4631_;
-                                                    phi_4864_ = _e1995;
-                                                    phi_4630_ = _e1997;
+                                                    let _e1997 = phi_4863_;
+                                                    let _e1999 = phi_4629_;
+                                                    phi_4862_ = _e1997;
+                                                    phi_4628_ = _e1999;
                                                 } else {
-                                                    phi_4864_ = _e1033;
-                                                    phi_4630_ = _e1031;
+                                                    phi_4862_ = _e1034;
+                                                    phi_4628_ = _e1032;
                                                 }
-                                                let _e1999 = phi_4864_;
-                                                let _e2001 = phi_4630_;
-                                                phi_4863_ = _e1999;
-                                                phi_4629_ = _e2001;
+                                                let _e2001 = phi_4862_;
+                                                let _e2003 = phi_4628_;
+                                                phi_4861_ = _e2001;
+                                                phi_4627_ = _e2003;
                                             } else {
-                                                phi_4863_ = _e1033;
-                                                phi_4629_ = _e1031;
+                                                phi_4861_ = _e1034;
+                                                phi_4627_ = _e1032;
                                             }
-                                            let _e2003 = phi_4863_;
-                                            let _e2005 = phi_4629_;
+                                            let _e2005 = phi_4861_;
+                                            let _e2007 = phi_4627_;
                                             continue;
                                             continuing {
-                                                phi_4468_ = _e2005;
-                                                phi_4411_ = _e2003;
-                                                phi_1039_ = _e1048;
-                                                phi_4775_ = _e2003;
-                                                phi_4628_ = _e2005;
-                                                break if !(_e1054);
+                                                phi_4466_ = _e2007;
+                                                phi_4409_ = _e2005;
+                                                phi_1040_ = _e1049;
+                                                phi_4773_ = _e2005;
+                                                phi_4626_ = _e2007;
+                                                break if !(_e1055);
                                             }
                                         }
-                                        let _e2008 = phi_4775_;
-                                        let _e2010 = phi_4628_;
-                                        phi_4633_ = _e2010;
-                                        if _e2010 {
+                                        let _e2010 = phi_4773_;
+                                        let _e2012 = phi_4626_;
+                                        phi_4631_ = _e2012;
+                                        if _e2012 {
                                             break;
                                         }
-                                        phi_4740_ = _e2008;
-                                        phi_4637_ = _e2010;
-                                        phi_3944_ = _e545;
-                                        phi_3945_ = false;
-                                        phi_3946_ = _e549;
+                                        phi_4738_ = _e2010;
+                                        phi_4635_ = _e2012;
+                                        phi_3942_ = _e546;
+                                        phi_3943_ = false;
+                                        phi_3944_ = _e550;
                                     } else {
-                                        if (_e545.member_1 >= _e93) {
-                                            phi_3499_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e546.member_1 >= _e94) {
+                                            phi_3497_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e545.member_1 < _e93) {
+                                            if (_e546.member_1 < _e94) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e561 = (_e264 * 2u);
-                                            let _e563 = ((1u + _e561) % 7u);
-                                            if (_e563 < 7u) {
+                                            let _e562 = (_e265 * 2u);
+                                            let _e564 = ((1u + _e562) % 7u);
+                                            if (_e564 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e568 = global_4.member[_e545.member_1][_e563];
-                                            let _e570 = ((_e561 + 2u) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e569 = global_4.member[_e546.member_1][_e564];
+                                            let _e571 = ((_e562 + 2u) % 7u);
+                                            if (_e571 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_4.member[_e545.member_1][_e570];
-                                            let _e576 = (_e263 * 2u);
-                                            let _e578 = ((1u + _e576) % 7u);
-                                            if (_e578 < 7u) {
+                                            let _e576 = global_4.member[_e546.member_1][_e571];
+                                            let _e577 = (_e264 * 2u);
+                                            let _e579 = ((1u + _e577) % 7u);
+                                            if (_e579 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e583 = global_4.member[_e545.member_1][_e578];
-                                            let _e585 = ((_e576 + 2u) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e584 = global_4.member[_e546.member_1][_e579];
+                                            let _e586 = ((_e577 + 2u) % 7u);
+                                            if (_e586 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_4.member[_e545.member_1][_e585];
-                                            let _e591 = (_e265 * 2u);
-                                            let _e593 = ((1u + _e591) % 7u);
-                                            if (_e593 < 7u) {
+                                            let _e591 = global_4.member[_e546.member_1][_e586];
+                                            let _e592 = (_e266 * 2u);
+                                            let _e594 = ((1u + _e592) % 7u);
+                                            if (_e594 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e598 = global_4.member[_e545.member_1][_e593];
-                                            let _e600 = ((_e591 + 2u) % 7u);
-                                            if (_e600 < 7u) {
+                                            let _e599 = global_4.member[_e546.member_1][_e594];
+                                            let _e601 = ((_e592 + 2u) % 7u);
+                                            if (_e601 < 7u) {
                                             } else {
-                                                phi_4633_ = true;
+                                                phi_4631_ = true;
                                                 break;
                                             }
-                                            let _e605 = global_4.member[_e545.member_1][_e600];
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.x - _e545.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.y - _e545.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e630 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.z - _e545.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e632 = select(_e144, _e628, (_e628 > _e144));
-                                            let _e634 = select(_e144, _e629, (_e629 > _e144));
-                                            let _e636 = select(_e144, _e630, (_e630 > _e144));
-                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e632));
-                                            let _e666 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
-                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e583 & 2097151u))) * _e634));
-                                            let _e675 = (bitcast<i32>((_e583 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                            let _e679 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e636));
-                                            let _e684 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e687 = bitcast<f32>((_e679 & bitcast<u32>(_e684)));
-                                            let _e691 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
-                                            let _e695 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                            let _e699 = bitcast<f32>((_e679 & bitcast<u32>(~(_e684))));
-                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e632));
-                                            let _e705 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
-                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e634));
-                                            let _e714 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                            let _e718 = bitcast<u32>((f32(bitcast<i32>((_e605 & 2097151u))) * _e636));
-                                            let _e723 = (bitcast<i32>((_e605 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e726 = bitcast<f32>((_e718 & bitcast<u32>(_e723)));
-                                            let _e730 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
-                                            let _e734 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                            let _e738 = bitcast<f32>((_e718 & bitcast<u32>(~(_e723))));
-                                            let _e739 = (_e545.member.member.x + _e669);
-                                            let _e740 = (_e545.member.member.y + _e678);
-                                            let _e741 = (_e545.member.member.z + _e687);
-                                            let _e744 = (_e545.member.member_1.x - _e708);
-                                            let _e745 = (_e545.member.member_1.y - _e717);
-                                            let _e746 = (_e545.member.member_1.z - _e726);
-                                            let _e765 = (_e744 - _e739);
+                                            let _e606 = global_4.member[_e546.member_1][_e601];
+                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e630 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e631 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e633 = select(_e145, _e629, (_e629 > _e145));
+                                            let _e635 = select(_e145, _e630, (_e630 > _e145));
+                                            let _e637 = select(_e145, _e631, (_e631 > _e145));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e633));
+                                            let _e667 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e635));
+                                            let _e676 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                            let _e680 = bitcast<u32>((f32(bitcast<i32>((_e599 & 2097151u))) * _e637));
+                                            let _e685 = (bitcast<i32>((_e599 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e688 = bitcast<f32>((_e680 & bitcast<u32>(_e685)));
+                                            let _e692 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e696 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                            let _e700 = bitcast<f32>((_e680 & bitcast<u32>(~(_e685))));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e633));
+                                            let _e706 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e591 & 2097151u))) * _e635));
+                                            let _e715 = (bitcast<i32>((_e591 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                            let _e719 = bitcast<u32>((f32(bitcast<i32>((_e606 & 2097151u))) * _e637));
+                                            let _e724 = (bitcast<i32>((_e606 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e727 = bitcast<f32>((_e719 & bitcast<u32>(_e724)));
+                                            let _e731 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e735 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                            let _e739 = bitcast<f32>((_e719 & bitcast<u32>(~(_e724))));
+                                            let _e740 = (_e546.member.member.x + _e670);
+                                            let _e741 = (_e546.member.member.y + _e679);
+                                            let _e742 = (_e546.member.member.z + _e688);
+                                            let _e745 = (_e546.member.member_1.x - _e709);
+                                            let _e746 = (_e546.member.member_1.y - _e718);
+                                            let _e747 = (_e546.member.member_1.z - _e727);
                                             let _e766 = (_e745 - _e740);
                                             let _e767 = (_e746 - _e741);
-                                            let _e769 = select(_e766, _e765, (_e765 > _e766));
-                                            let _e771 = select(_e767, _e769, (_e769 > _e767));
-                                            if (_e771 < (1024f * _e144)) {
-                                                phi_3200_ = 0u;
+                                            let _e768 = (_e747 - _e742);
+                                            let _e770 = select(_e767, _e766, (_e766 > _e767));
+                                            let _e772 = select(_e768, _e770, (_e770 > _e768));
+                                            if (_e772 < (1024f * _e145)) {
+                                                phi_3198_ = 0u;
                                             } else {
-                                                phi_3200_ = select(2u, 1u, (_e771 < (2097152f * _e144)));
+                                                phi_3198_ = select(2u, 1u, (_e772 < (2097152f * _e145)));
                                             }
-                                            let _e778 = phi_3200_;
-                                            switch bitcast<i32>(_e778) {
+                                            let _e779 = phi_3198_;
+                                            switch bitcast<i32>(_e779) {
                                                 case 0: {
-                                                    phi_3206_ = 1u;
+                                                    phi_3204_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3206_ = 2u;
+                                                    phi_3204_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3206_ = 3u;
+                                                    phi_3204_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3206_ = u32();
+                                                    phi_3204_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e781 = phi_3206_;
-                                            let _e787 = global_4.member[_e545.member_1][0u];
-                                            let _e791 = global_4.member[_e545.member_1][2u];
-                                            let _e795 = global_4.member[_e545.member_1][4u];
-                                            let _e799 = global_4.member[_e545.member_1][6u];
-                                            let _e811 = (((_e791 >> bitcast<u32>(22i)) | ((_e795 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e799 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e812 = (_e787 & 268435455u);
-                                            let _e813 = (_e811 & 268435455u);
-                                            let _e816 = ((_e787 >> bitcast<u32>(28u)) & 7u);
-                                            let _e824 = ((_e787 >> bitcast<u32>(31i)) | (((_e811 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e825 = (_e816 != 0u);
-                                            if (_e816 == 0u) {
-                                                phi_3461_ = _e812;
+                                            let _e782 = phi_3204_;
+                                            let _e788 = global_4.member[_e546.member_1][0u];
+                                            let _e792 = global_4.member[_e546.member_1][2u];
+                                            let _e796 = global_4.member[_e546.member_1][4u];
+                                            let _e800 = global_4.member[_e546.member_1][6u];
+                                            let _e812 = (((_e792 >> bitcast<u32>(22i)) | ((_e796 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e813 = (_e788 & 268435455u);
+                                            let _e814 = (_e812 & 268435455u);
+                                            let _e817 = ((_e788 >> bitcast<u32>(28u)) & 7u);
+                                            let _e825 = ((_e788 >> bitcast<u32>(31i)) | (((_e812 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e826 = (_e817 != 0u);
+                                            if (_e817 == 0u) {
+                                                phi_3459_ = _e813;
                                             } else {
-                                                if (_e816 == 7u) {
-                                                    phi_3460_ = 2147483648u;
+                                                if (_e817 == 7u) {
+                                                    phi_3458_ = 2147483648u;
                                                 } else {
-                                                    phi_3460_ = ((2147483648u | (_e816 << bitcast<u32>(28u))) | (_e813 & 268435455u));
+                                                    phi_3458_ = ((2147483648u | (_e817 << bitcast<u32>(28u))) | (_e814 & 268435455u));
                                                 }
-                                                let _e834 = phi_3460_;
-                                                phi_3461_ = _e834;
+                                                let _e835 = phi_3458_;
+                                                phi_3459_ = _e835;
                                             }
-                                            let _e836 = phi_3461_;
-                                            if _e825 {
-                                                let _e837 = (_e816 != 7u);
-                                                if _e837 {
-                                                    phi_3471_ = (_e813 + (_e816 * ((3u * _e781) + 1u)));
+                                            let _e837 = phi_3459_;
+                                            if _e826 {
+                                                let _e838 = (_e817 != 7u);
+                                                if _e838 {
+                                                    phi_3469_ = (_e814 + (_e817 * ((3u * _e782) + 1u)));
                                                 } else {
-                                                    phi_3471_ = u32();
+                                                    phi_3469_ = u32();
                                                 }
-                                                let _e841 = phi_3471_;
-                                                phi_3473_ = _e841;
-                                                phi_3474_ = select(true, false, _e837);
+                                                let _e842 = phi_3469_;
+                                                phi_3471_ = _e842;
+                                                phi_3472_ = select(true, false, _e838);
                                             } else {
-                                                phi_3473_ = u32();
-                                                phi_3474_ = true;
+                                                phi_3471_ = u32();
+                                                phi_3472_ = true;
                                             }
-                                            let _e844 = phi_3473_;
-                                            let _e846 = phi_3474_;
-                                            if (_e824 == 0u) {
-                                                phi_3495_ = (_e812 + select(0u, 1u, !(_e825)));
+                                            let _e845 = phi_3471_;
+                                            let _e847 = phi_3472_;
+                                            if (_e825 == 0u) {
+                                                phi_3493_ = (_e813 + select(0u, 1u, !(_e826)));
                                             } else {
-                                                if (_e824 == 7u) {
-                                                    phi_3494_ = 2147483648u;
+                                                if (_e825 == 7u) {
+                                                    phi_3492_ = 2147483648u;
                                                 } else {
-                                                    phi_3494_ = ((2147483648u | (_e824 << bitcast<u32>(28u))) | (select(_e844, _e813, _e846) & 268435455u));
+                                                    phi_3492_ = ((2147483648u | (_e825 << bitcast<u32>(28u))) | (select(_e845, _e814, _e847) & 268435455u));
                                                 }
-                                                let _e859 = phi_3494_;
-                                                phi_3495_ = _e859;
+                                                let _e860 = phi_3492_;
+                                                phi_3493_ = _e860;
                                             }
-                                            let _e861 = phi_3495_;
-                                            phi_3499_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e739, (_e545.member.member.x + _e691), _e744, (_e545.member.member_1.x - _e730)), vec4<f32>(_e740, (_e545.member.member.y + _e695), _e745, (_e545.member.member_1.y - _e734)), vec4<f32>(_e741, (_e545.member.member.z + _e699), _e746, (_e545.member.member_1.z - _e738))), type_51(type_24((_e545.member.member + vec4<f32>(_e669, _e678, _e687, 0f)), (_e545.member.member_1 - vec4<f32>(_e708, _e717, _e726, 0f))), _e836), type_51(type_24((_e545.member.member + vec4<f32>(_e691, _e695, _e699, 0f)), (_e545.member.member_1 - vec4<f32>(_e730, _e734, _e738, 0f))), _e861));
+                                            let _e862 = phi_3493_;
+                                            phi_3497_ = type_52(array<vec4<f32>, 3>(vec4<f32>(_e740, (_e546.member.member.x + _e692), _e745, (_e546.member.member_1.x - _e731)), vec4<f32>(_e741, (_e546.member.member.y + _e696), _e746, (_e546.member.member_1.y - _e735)), vec4<f32>(_e742, (_e546.member.member.z + _e700), _e747, (_e546.member.member_1.z - _e739))), type_51(type_24((_e546.member.member + vec4<f32>(_e670, _e679, _e688, 0f)), (_e546.member.member_1 - vec4<f32>(_e709, _e718, _e727, 0f))), _e837), type_51(type_24((_e546.member.member + vec4<f32>(_e692, _e696, _e700, 0f)), (_e546.member.member_1 - vec4<f32>(_e731, _e735, _e739, 0f))), _e862));
                                         }
-                                        let _e866 = phi_3499_;
-                                        let _e877 = ((_e866.member[0].x - _e336) * _e341);
-                                        let _e878 = ((_e866.member[0].y - _e336) * _e341);
-                                        let _e879 = ((_e866.member[0].z - _e337) * _e341);
-                                        let _e880 = ((_e866.member[0].w - _e337) * _e341);
-                                        let _e890 = ((_e866.member[1].x - _e374) * _e379);
-                                        let _e891 = ((_e866.member[1].y - _e374) * _e379);
-                                        let _e892 = ((_e866.member[1].z - _e375) * _e379);
-                                        let _e893 = ((_e866.member[1].w - _e375) * _e379);
-                                        let _e903 = ((_e866.member[2].x - _e412) * _e417);
-                                        let _e904 = ((_e866.member[2].y - _e412) * _e417);
-                                        let _e905 = ((_e866.member[2].z - _e413) * _e417);
-                                        let _e906 = ((_e866.member[2].w - _e413) * _e417);
-                                        let _e908 = select(_e905, _e903, (_e903 < _e905));
-                                        let _e910 = select(_e906, _e904, (_e904 < _e906));
-                                        let _e912 = select(_e905, _e903, (_e903 > _e905));
-                                        let _e914 = select(_e906, _e904, (_e904 > _e906));
-                                        let _e916 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e918 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e920 = select(_e892, _e890, (_e890 < _e892));
-                                        let _e922 = select(_e893, _e891, (_e891 < _e893));
-                                        let _e924 = select(_e920, _e916, (_e916 > _e920));
-                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
-                                        let _e928 = select(_e908, _e924, (_e924 > _e908));
-                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
-                                        let _e932 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e934 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e936 = select(_e892, _e890, (_e890 > _e892));
-                                        let _e938 = select(_e893, _e891, (_e891 > _e893));
-                                        let _e940 = select(_e936, _e932, (_e932 < _e936));
-                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
-                                        let _e947 = -(_e908);
-                                        let _e948 = -(_e910);
-                                        let _e955 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e947, _e912, (_e912 > _e947)) * 0.0000019073523f));
-                                        let _e956 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e948, _e914, (_e914 > _e948)) * 0.0000019073523f));
-                                        let _e958 = select(_e464, _e928, (_e928 > _e464));
-                                        let _e960 = select(_e464, _e930, (_e930 > _e464));
-                                        let _e965 = (_e958 <= select(_e507, _e955, (_e955 < _e507)));
-                                        let _e966 = (_e960 <= select(_e507, _e956, (_e956 < _e507)));
-                                        let _e967 = (_e958 <= _e960);
-                                        if _e965 {
+                                        let _e867 = phi_3497_;
+                                        let _e878 = ((_e867.member[0].x - _e337) * _e342);
+                                        let _e879 = ((_e867.member[0].y - _e337) * _e342);
+                                        let _e880 = ((_e867.member[0].z - _e338) * _e342);
+                                        let _e881 = ((_e867.member[0].w - _e338) * _e342);
+                                        let _e891 = ((_e867.member[1].x - _e375) * _e380);
+                                        let _e892 = ((_e867.member[1].y - _e375) * _e380);
+                                        let _e893 = ((_e867.member[1].z - _e376) * _e380);
+                                        let _e894 = ((_e867.member[1].w - _e376) * _e380);
+                                        let _e904 = ((_e867.member[2].x - _e413) * _e418);
+                                        let _e905 = ((_e867.member[2].y - _e413) * _e418);
+                                        let _e906 = ((_e867.member[2].z - _e414) * _e418);
+                                        let _e907 = ((_e867.member[2].w - _e414) * _e418);
+                                        let _e909 = select(_e906, _e904, (_e904 < _e906));
+                                        let _e911 = select(_e907, _e905, (_e905 < _e907));
+                                        let _e913 = select(_e906, _e904, (_e904 > _e906));
+                                        let _e915 = select(_e907, _e905, (_e905 > _e907));
+                                        let _e917 = select(_e880, _e878, (_e878 < _e880));
+                                        let _e919 = select(_e881, _e879, (_e879 < _e881));
+                                        let _e921 = select(_e893, _e891, (_e891 < _e893));
+                                        let _e923 = select(_e894, _e892, (_e892 < _e894));
+                                        let _e925 = select(_e921, _e917, (_e917 > _e921));
+                                        let _e927 = select(_e923, _e919, (_e919 > _e923));
+                                        let _e929 = select(_e909, _e925, (_e925 > _e909));
+                                        let _e931 = select(_e911, _e927, (_e927 > _e911));
+                                        let _e933 = select(_e880, _e878, (_e878 > _e880));
+                                        let _e935 = select(_e881, _e879, (_e879 > _e881));
+                                        let _e937 = select(_e893, _e891, (_e891 > _e893));
+                                        let _e939 = select(_e894, _e892, (_e892 > _e894));
+                                        let _e941 = select(_e937, _e933, (_e933 < _e937));
+                                        let _e943 = select(_e939, _e935, (_e935 < _e939));
+                                        let _e948 = -(_e909);
+                                        let _e949 = -(_e911);
+                                        let _e956 = (select(_e913, _e941, (_e941 < _e913)) + (select(_e948, _e913, (_e913 > _e948)) * 0.0000019073523f));
+                                        let _e957 = (select(_e915, _e943, (_e943 < _e915)) + (select(_e949, _e915, (_e915 > _e949)) * 0.0000019073523f));
+                                        let _e959 = select(_e465, _e929, (_e929 > _e465));
+                                        let _e961 = select(_e465, _e931, (_e931 > _e465));
+                                        let _e966 = (_e959 <= select(_e508, _e956, (_e956 < _e508)));
+                                        let _e967 = (_e961 <= select(_e508, _e957, (_e957 < _e508)));
+                                        let _e968 = (_e959 <= _e961);
+                                        if _e966 {
+                                            if _e967 {
+                                                if _e968 {
+                                                    phi_3842_ = _e867.member_2;
+                                                } else {
+                                                    phi_3842_ = _e867.member_1;
+                                                }
+                                                let _e972 = phi_3842_;
+                                                let _e994 = (_e550 % 128u);
+                                                let _e995 = (_e994 < 128u);
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e994] = _e972.member_1;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e994] = _e972.member.member.x;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e994] = _e972.member.member.y;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e994] = _e972.member.member.z;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e994] = _e972.member.member_1.x;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e994] = _e972.member.member_1.y;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e994] = _e972.member.member_1.z;
+                                                if _e995 {
+                                                } else {
+                                                    phi_4631_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e994] = select(_e961, _e959, (_e959 > _e961));
+                                                if _e968 {
+                                                    phi_3919_ = _e867.member_1;
+                                                } else {
+                                                    phi_3919_ = _e867.member_2;
+                                                }
+                                                let _e1008 = phi_3919_;
+                                                phi_3920_ = _e1008;
+                                                phi_3921_ = (_e550 + 1u);
+                                            } else {
+                                                phi_3920_ = type_51();
+                                                phi_3921_ = u32();
+                                            }
+                                            let _e1010 = phi_3920_;
+                                            let _e1012 = phi_3921_;
+                                            phi_3923_ = _e1010;
+                                            phi_3924_ = _e1012;
+                                            phi_3925_ = select(true, false, _e967);
+                                        } else {
+                                            phi_3923_ = type_51();
+                                            phi_3924_ = u32();
+                                            phi_3925_ = true;
+                                        }
+                                        let _e1015 = phi_3923_;
+                                        let _e1017 = phi_3924_;
+                                        let _e1019 = phi_3925_;
+                                        if _e1019 {
                                             if _e966 {
-                                                if _e967 {
-                                                    phi_3844_ = _e866.member_2;
-                                                } else {
-                                                    phi_3844_ = _e866.member_1;
-                                                }
-                                                let _e971 = phi_3844_;
-                                                let _e993 = (_e549 % 128u);
-                                                let _e994 = (_e993 < 128u);
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e993] = _e971.member_1;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e993] = _e971.member.member.x;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e993] = _e971.member.member.y;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e993] = _e971.member.member.z;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e993] = _e971.member.member_1.x;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e993] = _e971.member.member_1.y;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e993] = _e971.member.member_1.z;
-                                                if _e994 {
-                                                } else {
-                                                    phi_4633_ = true;
-                                                    break;
-                                                }
-                                                local_10[_e993] = select(_e960, _e958, (_e958 > _e960));
-                                                if _e967 {
-                                                    phi_3921_ = _e866.member_1;
-                                                } else {
-                                                    phi_3921_ = _e866.member_2;
-                                                }
-                                                let _e1007 = phi_3921_;
-                                                phi_3922_ = _e1007;
-                                                phi_3923_ = (_e549 + 1u);
+                                                phi_3934_ = _e867.member_1;
                                             } else {
-                                                phi_3922_ = type_51();
-                                                phi_3923_ = u32();
+                                                phi_3934_ = _e867.member_2;
                                             }
-                                            let _e1009 = phi_3922_;
-                                            let _e1011 = phi_3923_;
-                                            phi_3925_ = _e1009;
-                                            phi_3926_ = _e1011;
-                                            phi_3927_ = select(true, false, _e966);
+                                            let _e1023 = phi_3934_;
+                                            phi_3939_ = _e1023;
+                                            phi_3940_ = select(_e967, true, _e966);
                                         } else {
-                                            phi_3925_ = type_51();
-                                            phi_3926_ = u32();
-                                            phi_3927_ = true;
+                                            phi_3939_ = _e1015;
+                                            phi_3940_ = _e548;
                                         }
-                                        let _e1014 = phi_3925_;
-                                        let _e1016 = phi_3926_;
-                                        let _e1018 = phi_3927_;
-                                        if _e1018 {
-                                            if _e965 {
-                                                phi_3936_ = _e866.member_1;
-                                            } else {
-                                                phi_3936_ = _e866.member_2;
-                                            }
-                                            let _e1022 = phi_3936_;
-                                            phi_3941_ = _e1022;
-                                            phi_3942_ = select(_e966, true, _e965);
-                                        } else {
-                                            phi_3941_ = _e1014;
-                                            phi_3942_ = _e547;
-                                        }
-                                        let _e1025 = phi_3941_;
-                                        let _e1027 = phi_3942_;
-                                        phi_4740_ = _e507;
-                                        phi_4637_ = _e505;
-                                        phi_3944_ = _e1025;
-                                        phi_3945_ = _e1027;
-                                        phi_3946_ = select(_e1016, _e549, _e1018);
+                                        let _e1026 = phi_3939_;
+                                        let _e1028 = phi_3940_;
+                                        phi_4738_ = _e508;
+                                        phi_4635_ = _e506;
+                                        phi_3942_ = _e1026;
+                                        phi_3943_ = _e1028;
+                                        phi_3944_ = select(_e1017, _e550, _e1019);
                                     }
-                                    let _e2012 = phi_4740_;
-                                    let _e2014 = phi_4637_;
-                                    let _e2016 = phi_3944_;
-                                    let _e2018 = phi_3945_;
-                                    let _e2020 = phi_3946_;
-                                    phi_4739_ = _e2012;
-                                    phi_4636_ = _e2014;
-                                    phi_3947_ = _e2016;
-                                    phi_3948_ = (_e511 - 1u);
-                                    phi_3949_ = _e2018;
-                                    phi_3950_ = _e2020;
+                                    let _e2014 = phi_4738_;
+                                    let _e2016 = phi_4635_;
+                                    let _e2018 = phi_3942_;
+                                    let _e2020 = phi_3943_;
+                                    let _e2022 = phi_3944_;
+                                    phi_4737_ = _e2014;
+                                    phi_4634_ = _e2016;
+                                    phi_3945_ = _e2018;
+                                    phi_3946_ = (_e512 - 1u);
+                                    phi_3947_ = _e2020;
+                                    phi_3948_ = _e2022;
                                 } else {
-                                    phi_4739_ = _e507;
-                                    phi_4636_ = _e505;
-                                    phi_3947_ = _e545;
-                                    phi_3948_ = _e511;
-                                    phi_3949_ = _e547;
-                                    phi_3950_ = _e549;
+                                    phi_4737_ = _e508;
+                                    phi_4634_ = _e506;
+                                    phi_3945_ = _e546;
+                                    phi_3946_ = _e512;
+                                    phi_3947_ = _e548;
+                                    phi_3948_ = _e550;
                                 }
-                                let _e2022 = phi_4739_;
-                                let _e2024 = phi_4636_;
-                                let _e2026 = phi_3947_;
-                                let _e2028 = phi_3948_;
-                                let _e2030 = phi_3949_;
-                                let _e2032 = phi_3950_;
-                                phi_4738_ = _e2022;
-                                phi_4635_ = _e2024;
-                                phi_3951_ = _e2026;
-                                phi_3952_ = _e2028;
-                                phi_3953_ = _e2030;
-                                phi_3954_ = _e2032;
+                                let _e2024 = phi_4737_;
+                                let _e2026 = phi_4634_;
+                                let _e2028 = phi_3945_;
+                                let _e2030 = phi_3946_;
+                                let _e2032 = phi_3947_;
+                                let _e2034 = phi_3948_;
+                                phi_4736_ = _e2024;
+                                phi_4633_ = _e2026;
+                                phi_3949_ = _e2028;
+                                phi_3950_ = _e2030;
+                                phi_3951_ = _e2032;
+                                phi_3952_ = _e2034;
                             } else {
-                                phi_4738_ = _e507;
-                                phi_4635_ = _e505;
-                                phi_3951_ = type_51();
+                                phi_4736_ = _e508;
+                                phi_4633_ = _e506;
+                                phi_3949_ = type_51();
+                                phi_3950_ = u32();
+                                phi_3951_ = bool();
                                 phi_3952_ = u32();
-                                phi_3953_ = bool();
-                                phi_3954_ = u32();
                             }
-                            let _e2034 = phi_4738_;
-                            let _e2036 = phi_4635_;
-                            let _e2038 = phi_3951_;
-                            let _e2040 = phi_3952_;
-                            let _e2042 = phi_3953_;
-                            let _e2044 = phi_3954_;
-                            phi_4737_ = _e2034;
-                            phi_4634_ = _e2036;
-                            phi_914_ = _e2038;
-                            phi_917_ = _e2040;
-                            phi_919_ = _e2042;
-                            phi_921_ = _e2044;
-                            phi_3955_ = _e519;
+                            let _e2036 = phi_4736_;
+                            let _e2038 = phi_4633_;
+                            let _e2040 = phi_3949_;
+                            let _e2042 = phi_3950_;
+                            let _e2044 = phi_3951_;
+                            let _e2046 = phi_3952_;
+                            phi_4735_ = _e2036;
+                            phi_4632_ = _e2038;
+                            phi_915_ = _e2040;
+                            phi_918_ = _e2042;
+                            phi_920_ = _e2044;
+                            phi_922_ = _e2046;
+                            phi_3953_ = _e520;
                         } else {
-                            phi_4737_ = _e507;
-                            phi_4634_ = _e505;
-                            phi_914_ = type_51();
-                            phi_917_ = u32();
-                            phi_919_ = bool();
-                            phi_921_ = u32();
-                            phi_3955_ = false;
+                            phi_4735_ = _e508;
+                            phi_4632_ = _e506;
+                            phi_915_ = type_51();
+                            phi_918_ = u32();
+                            phi_920_ = bool();
+                            phi_922_ = u32();
+                            phi_3953_ = false;
                         }
-                        let _e2046 = phi_4737_;
-                        let _e2048 = phi_4634_;
-                        let _e2050 = phi_914_;
-                        let _e2052 = phi_917_;
-                        let _e2054 = phi_919_;
-                        let _e2056 = phi_921_;
-                        let _e2058 = phi_3955_;
+                        let _e2048 = phi_4735_;
+                        let _e2050 = phi_4632_;
+                        let _e2052 = phi_915_;
+                        let _e2054 = phi_918_;
+                        let _e2056 = phi_920_;
+                        let _e2058 = phi_922_;
+                        let _e2060 = phi_3953_;
                         continue;
                         continuing {
-                            phi_4471_ = _e2048;
-                            phi_4327_ = _e2046;
-                            phi_913_ = _e2050;
-                            phi_916_ = _e2052;
-                            phi_918_ = _e2054;
-                            phi_920_ = _e2056;
-                            phi_4633_ = _e2048;
-                            break if !(_e2058);
+                            phi_4469_ = _e2050;
+                            phi_4325_ = _e2048;
+                            phi_914_ = _e2052;
+                            phi_917_ = _e2054;
+                            phi_919_ = _e2056;
+                            phi_921_ = _e2058;
+                            phi_4631_ = _e2050;
+                            break if !(_e2060);
                         }
                     }
-                    let _e2061 = phi_4633_;
-                    if _e2061 {
+                    let _e2063 = phi_4631_;
+                    if _e2063 {
                         break;
                     }
-                    phi_3962_ = type_8(0u, 8u);
+                    phi_3960_ = type_8(0u, 8u);
                     loop {
-                        let _e2063 = phi_3962_;
-                        if (_e2063.member < _e2063.member_1) {
-                            phi_3963_ = type_8((_e2063.member + 1u), _e2063.member_1);
-                            phi_3986_ = type_8(1u, _e2063.member);
+                        let _e2065 = phi_3960_;
+                        if (_e2065.member < _e2065.member_1) {
+                            phi_3961_ = type_8((_e2065.member + 1u), _e2065.member_1);
+                            phi_3984_ = type_8(1u, _e2065.member);
                         } else {
-                            phi_3963_ = _e2063;
-                            phi_3986_ = type_8(0u, type_8().member_1);
+                            phi_3961_ = _e2065;
+                            phi_3984_ = type_8(0u, type_8().member_1);
                         }
-                        let _e2076 = phi_3963_;
-                        let _e2078 = phi_3986_;
-                        let _e2082 = (bitcast<i32>(_e2078.member) != 0i);
-                        if _e2082 {
-                            let _e2083 = (_e2078.member_1 < 8u);
-                            if _e2083 {
+                        let _e2078 = phi_3961_;
+                        let _e2080 = phi_3984_;
+                        let _e2084 = (bitcast<i32>(_e2080.member) != 0i);
+                        if _e2084 {
+                            let _e2085 = (_e2080.member_1 < 8u);
+                            if _e2085 {
                             } else {
-                                phi_4730_ = true;
+                                phi_4728_ = true;
                                 break;
                             }
-                            let _e2085 = local_9[_e2078.member_1];
-                            if (_e2085.member_3 != 4294967295u) {
-                                let _e2091 = -(_e431);
-                                let _e2092 = (_e2091 / 3i);
-                                let _e2099 = bitcast<f32>((bitcast<u32>((_e2092 + 127i)) << bitcast<u32>(23i)));
-                                let _e2107 = (((_e2085.member * _e2099) * _e2099) * bitcast<f32>((bitcast<u32>(((_e2091 - (2i * _e2092)) + 127i)) << bitcast<u32>(23i))));
-                                let _e2109 = select(340282350000000000000000000000000000000f, _e2107, (_e2107 < 340282350000000000000000000000000000000f));
-                                phi_4052_ = type_20(select(-340282350000000000000000000000000000000f, _e2109, (_e2109 > -340282350000000000000000000000000000000f)), _e2085.member_1, _e2085.member_2, _e2085.member_3);
+                            let _e2087 = local_9[_e2080.member_1];
+                            if (_e2087.member_3 != 4294967295u) {
+                                let _e2093 = -(_e432);
+                                let _e2094 = (_e2093 / 3i);
+                                let _e2101 = bitcast<f32>((bitcast<u32>((_e2094 + 127i)) << bitcast<u32>(23i)));
+                                let _e2109 = (((_e2087.member * _e2101) * _e2101) * bitcast<f32>((bitcast<u32>(((_e2093 - (2i * _e2094)) + 127i)) << bitcast<u32>(23i))));
+                                let _e2111 = select(340282350000000000000000000000000000000f, _e2109, (_e2109 < 340282350000000000000000000000000000000f));
+                                phi_4050_ = type_20(select(-340282350000000000000000000000000000000f, _e2111, (_e2111 > -340282350000000000000000000000000000000f)), _e2087.member_1, _e2087.member_2, _e2087.member_3);
                             } else {
-                                phi_4052_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_4050_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e2114 = phi_4052_;
-                            if _e2083 {
+                            let _e2116 = phi_4050_;
+                            if _e2085 {
                             } else {
-                                phi_4730_ = true;
+                                phi_4728_ = true;
                                 break;
                             }
-                            local_9[_e2078.member_1] = type_20(_e2114.member, _e2114.member_1, _e2114.member_2, _e2114.member_3);
+                            local_9[_e2080.member_1] = type_20(_e2116.member, _e2116.member_1, _e2116.member_2, _e2116.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3962_ = _e2076;
-                            phi_4730_ = _e2061;
-                            break if !(_e2082);
+                            phi_3960_ = _e2078;
+                            phi_4728_ = _e2063;
+                            break if !(_e2084);
                         }
                     }
-                    let _e2122 = phi_4730_;
-                    if _e2122 {
+                    let _e2124 = phi_4728_;
+                    if _e2124 {
                         break;
                     }
-                    let _e2123 = local_9;
-                    if _e152 {
+                    let _e2125 = local_9;
+                    if _e153 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = array<type_20, 8>(type_20(_e2123[0].member, _e2123[0].member_1, _e2123[0].member_2, _e2123[0].member_3), type_20(_e2123[1].member, _e2123[1].member_1, _e2123[1].member_2, _e2123[1].member_3), type_20(_e2123[2].member, _e2123[2].member_1, _e2123[2].member_2, _e2123[2].member_3), type_20(_e2123[3].member, _e2123[3].member_1, _e2123[3].member_2, _e2123[3].member_3), type_20(_e2123[4].member, _e2123[4].member_1, _e2123[4].member_2, _e2123[4].member_3), type_20(_e2123[5].member, _e2123[5].member_1, _e2123[5].member_2, _e2123[5].member_3), type_20(_e2123[6].member, _e2123[6].member_1, _e2123[6].member_2, _e2123[6].member_3), type_20(_e2123[7].member, _e2123[7].member_1, _e2123[7].member_2, _e2123[7].member_3));
+                    global_6.member[_e151] = array<type_20, 8>(type_20(_e2125[0].member, _e2125[0].member_1, _e2125[0].member_2, _e2125[0].member_3), type_20(_e2125[1].member, _e2125[1].member_1, _e2125[1].member_2, _e2125[1].member_3), type_20(_e2125[2].member, _e2125[2].member_1, _e2125[2].member_2, _e2125[2].member_3), type_20(_e2125[3].member, _e2125[3].member_1, _e2125[3].member_2, _e2125[3].member_3), type_20(_e2125[4].member, _e2125[4].member_1, _e2125[4].member_2, _e2125[4].member_3), type_20(_e2125[5].member, _e2125[5].member_1, _e2125[5].member_2, _e2125[5].member_3), type_20(_e2125[6].member, _e2125[6].member_1, _e2125[6].member_2, _e2125[6].member_3), type_20(_e2125[7].member, _e2125[7].member_1, _e2125[7].member_2, _e2125[7].member_3));
                 }
             }
             break;

@@ -88,1151 +88,1163 @@ var<storage, read_write> global_5: type_51;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_183_: u32;
-    var phi_288_: i32;
+    var phi_184_: u32;
     var phi_289_: i32;
-    var phi_299_: bool;
-    var phi_309_: u32;
+    var phi_290_: i32;
+    var phi_300_: bool;
     var phi_310_: u32;
-    var phi_312_: bool;
-    var phi_317_: u32;
-    var phi_349_: i32;
-    var phi_367_: f32;
-    var phi_373_: f32;
-    var phi_384_: f32;
-    var phi_390_: f32;
-    var phi_413_: f32;
-    var phi_424_: f32;
-    var phi_433_: f32;
-    var phi_439_: f32;
-    var phi_450_: f32;
-    var phi_456_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_516_: f32;
-    var phi_522_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_656_: f32;
+    var phi_311_: u32;
+    var phi_313_: bool;
+    var phi_318_: u32;
+    var phi_350_: i32;
+    var phi_368_: f32;
+    var phi_374_: f32;
+    var phi_385_: f32;
+    var phi_391_: f32;
+    var phi_414_: f32;
+    var phi_425_: f32;
+    var phi_434_: f32;
+    var phi_440_: f32;
+    var phi_451_: f32;
+    var phi_457_: f32;
+    var phi_480_: f32;
+    var phi_491_: f32;
+    var phi_500_: f32;
+    var phi_506_: f32;
+    var phi_517_: f32;
+    var phi_523_: f32;
+    var phi_546_: f32;
+    var phi_557_: f32;
     var phi_657_: f32;
-    var phi_2373_: bool;
-    var phi_668_: type_42;
-    var phi_671_: u32;
-    var phi_673_: u32;
-    var phi_675_: bool;
-    var phi_677_: u32;
-    var phi_688_: bool;
-    var phi_720_: u32;
-    var phi_721_: bool;
-    var phi_722_: u32;
-    var phi_1810_: type_47;
-    var phi_2154_: u32;
-    var phi_2182_: u32;
-    var phi_2183_: u32;
-    var phi_2184_: u32;
-    var phi_2186_: u32;
-    var phi_2187_: u32;
-    var phi_2188_: bool;
-    var phi_2197_: u32;
-    var phi_2202_: u32;
-    var phi_2203_: bool;
-    var phi_737_: type_42;
-    var phi_740_: type_7;
-    var phi_741_: type_7;
-    var phi_763_: type_7;
-    var phi_784_: u32;
-    var phi_873_: array<array<f32, 3>, 3>;
-    var phi_990_: bool;
-    var phi_1019_: bool;
-    var phi_1420_: f32;
-    var phi_1421_: f32;
-    var phi_1422_: f32;
-    var phi_1423_: f32;
-    var phi_1424_: vec3<f32>;
-    var phi_1425_: vec3<f32>;
-    var phi_1426_: vec3<f32>;
-    var phi_1427_: vec3<f32>;
-    var phi_1458_: bool;
-    var phi_1467_: vec3<f32>;
-    var phi_1634_: bool;
-    var phi_1658_: f32;
-    var phi_1659_: f32;
-    var phi_1682_: type_22;
-    var phi_1684_: type_22;
-    var phi_1685_: bool;
-    var phi_1689_: type_22;
-    var phi_1690_: type_22;
-    var phi_1691_: type_22;
-    var phi_1692_: bool;
-    var phi_1696_: type_22;
-    var phi_1697_: bool;
-    var phi_1698_: type_22;
-    var phi_1699_: bool;
-    var phi_1700_: bool;
-    var phi_1701_: type_22;
-    var phi_1702_: bool;
-    var phi_1703_: bool;
-    var phi_1711_: type_22;
-    var phi_1712_: bool;
-    var phi_1716_: type_22;
-    var phi_1741_: bool;
-    var phi_1742_: bool;
-    var phi_1748_: type_42;
-    var phi_1749_: type_42;
-    var phi_1750_: type_42;
-    var phi_738_: type_42;
-    var phi_2367_: bool;
-    var phi_2514_: bool;
-    var phi_2205_: type_42;
-    var phi_2206_: u32;
-    var phi_2207_: bool;
-    var phi_2208_: u32;
-    var phi_2513_: bool;
-    var phi_2209_: type_42;
-    var phi_2210_: u32;
-    var phi_2211_: u32;
-    var phi_2212_: bool;
-    var phi_2213_: u32;
-    var phi_2512_: bool;
-    var phi_2214_: type_42;
-    var phi_2215_: u32;
-    var phi_2216_: u32;
-    var phi_2217_: bool;
-    var phi_2218_: u32;
-    var phi_2511_: bool;
+    var phi_658_: f32;
+    var phi_2371_: bool;
     var phi_669_: type_42;
     var phi_672_: u32;
     var phi_674_: u32;
     var phi_676_: bool;
     var phi_678_: u32;
-    var phi_2219_: bool;
+    var phi_689_: bool;
+    var phi_721_: u32;
+    var phi_722_: bool;
+    var phi_723_: u32;
+    var phi_1808_: type_47;
+    var phi_2152_: u32;
+    var phi_2180_: u32;
+    var phi_2181_: u32;
+    var phi_2182_: u32;
+    var phi_2184_: u32;
+    var phi_2185_: u32;
+    var phi_2186_: bool;
+    var phi_2195_: u32;
+    var phi_2200_: u32;
+    var phi_2201_: bool;
+    var phi_738_: type_42;
+    var phi_741_: type_7;
+    var phi_742_: type_7;
+    var phi_764_: type_7;
+    var phi_785_: u32;
+    var phi_874_: array<array<f32, 3>, 3>;
+    var phi_991_: bool;
+    var phi_1020_: bool;
+    var phi_1421_: f32;
+    var phi_1422_: f32;
+    var phi_1423_: f32;
+    var phi_1424_: f32;
+    var phi_1425_: vec3<f32>;
+    var phi_1426_: vec3<f32>;
+    var phi_1427_: vec3<f32>;
+    var phi_1428_: vec3<f32>;
+    var phi_1459_: bool;
+    var phi_1468_: vec3<f32>;
+    var phi_1633_: f32;
+    var phi_1635_: f32;
+    var phi_1636_: bool;
+    var phi_1656_: f32;
+    var phi_1657_: f32;
+    var phi_1680_: type_22;
+    var phi_1682_: type_22;
+    var phi_1683_: bool;
+    var phi_1687_: type_22;
+    var phi_1688_: type_22;
+    var phi_1689_: type_22;
+    var phi_1690_: bool;
+    var phi_1694_: type_22;
+    var phi_1695_: bool;
+    var phi_1696_: type_22;
+    var phi_1697_: bool;
+    var phi_1698_: bool;
+    var phi_1699_: type_22;
+    var phi_1700_: bool;
+    var phi_1701_: bool;
+    var phi_1709_: type_22;
+    var phi_1710_: bool;
+    var phi_1714_: type_22;
+    var phi_1739_: bool;
+    var phi_1740_: bool;
+    var phi_1746_: type_42;
+    var phi_1747_: type_42;
+    var phi_1748_: type_42;
+    var phi_739_: type_42;
+    var phi_2365_: bool;
+    var phi_2512_: bool;
+    var phi_2203_: type_42;
+    var phi_2204_: u32;
+    var phi_2205_: bool;
+    var phi_2206_: u32;
+    var phi_2511_: bool;
+    var phi_2207_: type_42;
+    var phi_2208_: u32;
+    var phi_2209_: u32;
+    var phi_2210_: bool;
+    var phi_2211_: u32;
     var phi_2510_: bool;
+    var phi_2212_: type_42;
+    var phi_2213_: u32;
+    var phi_2214_: u32;
+    var phi_2215_: bool;
+    var phi_2216_: u32;
+    var phi_2509_: bool;
+    var phi_670_: type_42;
+    var phi_673_: u32;
+    var phi_675_: u32;
+    var phi_677_: bool;
+    var phi_679_: u32;
+    var phi_2217_: bool;
+    var phi_2508_: bool;
     var local_2: type_42;
-    var phi_2271_: type_22;
+    var phi_2269_: type_22;
     var local_3: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_1.member));
-            let _e75 = arrayLength((&global_5.member));
-            let _e79 = (_e65.x + (_e65.y * 2097152u));
-            let _e80 = (_e79 < arrayLength((&global_3.member)));
-            if _e80 {
-                if _e80 {
+            let _e66 = global;
+            let _e68 = arrayLength((&global_2.member));
+            let _e70 = arrayLength((&global_1.member));
+            let _e76 = arrayLength((&global_5.member));
+            let _e80 = (_e66.x + (_e66.y * 2097152u));
+            let _e81 = (_e80 < arrayLength((&global_3.member)));
+            if _e81 {
+                if _e81 {
                 } else {
                     break;
                 }
-                let _e84 = global_3.member[_e79].member_2;
-                phi_183_ = _e84;
+                let _e85 = global_3.member[_e80].member_2;
+                phi_184_ = _e85;
             } else {
-                phi_183_ = 4294967295u;
+                phi_184_ = 4294967295u;
             }
-            let _e86 = phi_183_;
-            if _e80 {
-                let _e87 = (_e79 < arrayLength((&global_4.member)));
-                if _e87 {
-                    if _e80 {
+            let _e87 = phi_184_;
+            if _e81 {
+                let _e88 = (_e80 < arrayLength((&global_4.member)));
+                if _e88 {
+                    if _e81 {
                     } else {
                         break;
                     }
-                    let _e97 = global_3.member[_e79].member.member_2[0u];
-                    let _e99 = (bitcast<u32>(_e97) & 2147483647u);
-                    let _e105 = global_3.member[_e79].member.member_2[1u];
-                    let _e107 = (bitcast<u32>(_e105) & 2147483647u);
-                    let _e113 = global_3.member[_e79].member.member_2[2u];
-                    let _e115 = (bitcast<u32>(_e113) & 2147483647u);
-                    let _e121 = global_3.member[_e79].member.member[0u];
-                    let _e123 = (bitcast<u32>(_e121) & 2147483647u);
-                    let _e129 = global_3.member[_e79].member.member[1u];
-                    let _e131 = (bitcast<u32>(_e129) & 2147483647u);
-                    let _e137 = global_3.member[_e79].member.member[2u];
-                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
-                    let _e141 = select(_e107, _e99, (_e107 < _e99));
-                    let _e143 = select(_e115, _e141, (_e115 < _e141));
-                    let _e145 = select(_e123, _e143, (_e123 < _e143));
-                    let _e147 = select(_e131, _e145, (_e131 < _e145));
-                    let _e149 = select(_e139, _e147, (_e139 < _e147));
-                    let _e154 = global_3.member[_e79].member.member_1;
-                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
-                    let _e164 = global_3.member[_e79].member.member_3;
-                    let _e170 = (((select(_e156, _e149, (_e156 < _e149)) < 2139095040u) && ((bitcast<u32>(_e164) & 2147483647u) <= 2139095040u)) && (_e143 > 0u));
-                    if _e170 {
-                        let _e173 = (bitcast<u32>(bitcast<f32>(_e143)) & 2147483647u);
-                        if (_e173 >= 8388608u) {
-                            phi_288_ = (bitcast<i32>((_e173 >> bitcast<u32>(23i))) - 127i);
+                    let _e98 = global_3.member[_e80].member.member_2[0u];
+                    let _e100 = (bitcast<u32>(_e98) & 2147483647u);
+                    let _e106 = global_3.member[_e80].member.member_2[1u];
+                    let _e108 = (bitcast<u32>(_e106) & 2147483647u);
+                    let _e114 = global_3.member[_e80].member.member_2[2u];
+                    let _e116 = (bitcast<u32>(_e114) & 2147483647u);
+                    let _e122 = global_3.member[_e80].member.member[0u];
+                    let _e124 = (bitcast<u32>(_e122) & 2147483647u);
+                    let _e130 = global_3.member[_e80].member.member[1u];
+                    let _e132 = (bitcast<u32>(_e130) & 2147483647u);
+                    let _e138 = global_3.member[_e80].member.member[2u];
+                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                    let _e142 = select(_e108, _e100, (_e108 < _e100));
+                    let _e144 = select(_e116, _e142, (_e116 < _e142));
+                    let _e146 = select(_e124, _e144, (_e124 < _e144));
+                    let _e148 = select(_e132, _e146, (_e132 < _e146));
+                    let _e150 = select(_e140, _e148, (_e140 < _e148));
+                    let _e155 = global_3.member[_e80].member.member_1;
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e165 = global_3.member[_e80].member.member_3;
+                    let _e171 = (((select(_e157, _e150, (_e157 < _e150)) < 2139095040u) && ((bitcast<u32>(_e165) & 2147483647u) <= 2139095040u)) && (_e144 > 0u));
+                    if _e171 {
+                        let _e174 = (bitcast<u32>(bitcast<f32>(_e144)) & 2147483647u);
+                        if (_e174 >= 8388608u) {
+                            phi_289_ = (bitcast<i32>((_e174 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_288_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e173)), 32u, (_e173 == 0u))));
+                            phi_289_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e174)), 32u, (_e174 == 0u))));
                         }
-                        let _e187 = phi_288_;
-                        phi_289_ = _e187;
+                        let _e188 = phi_289_;
+                        phi_290_ = _e188;
                     } else {
-                        phi_289_ = 0i;
+                        phi_290_ = 0i;
                     }
-                    let _e189 = phi_289_;
-                    let _e190 = (_e99 == _e143);
-                    if _e190 {
-                        phi_299_ = true;
+                    let _e190 = phi_290_;
+                    let _e191 = (_e100 == _e144);
+                    if _e191 {
+                        phi_300_ = true;
                     } else {
-                        phi_299_ = (_e107 == _e143);
+                        phi_300_ = (_e108 == _e144);
                     }
-                    let _e193 = phi_299_;
-                    let _e194 = select(1u, 0u, _e190);
-                    if _e193 {
-                        let _e195 = (_e194 + 1u);
-                        phi_309_ = _e195;
-                        phi_310_ = _e195;
-                        phi_312_ = select(true, false, (_e195 == 2u));
+                    let _e194 = phi_300_;
+                    let _e195 = select(1u, 0u, _e191);
+                    if _e194 {
+                        let _e196 = (_e195 + 1u);
+                        phi_310_ = _e196;
+                        phi_311_ = _e196;
+                        phi_313_ = select(true, false, (_e196 == 2u));
                     } else {
-                        phi_309_ = u32();
-                        phi_310_ = 0u;
-                        phi_312_ = true;
+                        phi_310_ = u32();
+                        phi_311_ = 0u;
+                        phi_313_ = true;
                     }
-                    let _e199 = phi_309_;
-                    let _e201 = phi_310_;
-                    let _e203 = phi_312_;
-                    if _e203 {
-                        phi_317_ = (_e201 + 1u);
+                    let _e200 = phi_310_;
+                    let _e202 = phi_311_;
+                    let _e204 = phi_313_;
+                    if _e204 {
+                        phi_318_ = (_e202 + 1u);
                     } else {
-                        phi_317_ = 0u;
+                        phi_318_ = 0u;
                     }
-                    let _e207 = phi_317_;
-                    let _e208 = select(_e199, _e201, _e203);
-                    let _e209 = select(_e194, select(2u, _e194, _e193), _e203);
-                    let _e210 = -(_e189);
-                    if (_e210 < -126i) {
-                        phi_349_ = -126i;
+                    let _e208 = phi_318_;
+                    let _e209 = select(_e200, _e202, _e204);
+                    let _e210 = select(_e195, select(2u, _e195, _e194), _e204);
+                    let _e211 = -(_e190);
+                    if (_e211 < -126i) {
+                        phi_350_ = -126i;
                     } else {
-                        phi_349_ = select(_e210, 127i, (_e210 > 127i));
+                        phi_350_ = select(_e211, 127i, (_e211 > 127i));
                     }
-                    let _e215 = phi_349_;
-                    let _e220 = bitcast<f32>((bitcast<u32>((_e215 + 127i)) << bitcast<u32>(23i)));
-                    let _e226 = bitcast<f32>((bitcast<u32>(((_e210 - _e215) + 127i)) << bitcast<u32>(23i)));
-                    let _e231 = global_3.member[_e79].member.member;
-                    let _e232 = (_e208 == 0u);
-                    if _e232 {
-                        phi_367_ = _e231[0];
+                    let _e216 = phi_350_;
+                    let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
+                    let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
+                    let _e232 = global_3.member[_e80].member.member;
+                    let _e233 = (_e209 == 0u);
+                    if _e233 {
+                        phi_368_ = _e232[0];
                     } else {
-                        phi_367_ = _e231[1];
+                        phi_368_ = _e232[1];
                     }
-                    let _e236 = phi_367_;
-                    let _e237 = (_e208 == 2u);
-                    if _e237 {
-                        phi_373_ = _e231[2];
+                    let _e237 = phi_368_;
+                    let _e238 = (_e209 == 2u);
+                    if _e238 {
+                        phi_374_ = _e232[2];
                     } else {
-                        phi_373_ = _e236;
+                        phi_374_ = _e237;
                     }
-                    let _e240 = phi_373_;
-                    let _e241 = global_3.member[_e79].member.member_2;
-                    if _e232 {
-                        phi_384_ = _e241[0];
+                    let _e241 = phi_374_;
+                    let _e242 = global_3.member[_e80].member.member_2;
+                    if _e233 {
+                        phi_385_ = _e242[0];
                     } else {
-                        phi_384_ = _e241[1];
+                        phi_385_ = _e242[1];
                     }
-                    let _e245 = phi_384_;
-                    if _e237 {
-                        phi_390_ = _e241[2];
+                    let _e246 = phi_385_;
+                    if _e238 {
+                        phi_391_ = _e242[2];
                     } else {
-                        phi_390_ = _e245;
+                        phi_391_ = _e246;
                     }
-                    let _e248 = phi_390_;
-                    let _e250 = ((_e248 * _e220) * _e226);
-                    let _e254 = (bitcast<f32>((bitcast<u32>(_e250) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e254 {
-                        let _e258 = (bitcast<f32>((bitcast<u32>(_e240) & 2147483647u)) * 0.00000011920929f);
-                        phi_413_ = select(0.00000000000011368684f, _e258, (_e258 > 0.00000000000011368684f));
+                    let _e249 = phi_391_;
+                    let _e251 = ((_e249 * _e221) * _e227);
+                    let _e255 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e255 {
+                        let _e259 = (bitcast<f32>((bitcast<u32>(_e241) & 2147483647u)) * 0.00000011920929f);
+                        phi_414_ = select(0.00000000000011368684f, _e259, (_e259 > 0.00000000000011368684f));
                     } else {
-                        phi_413_ = 0f;
+                        phi_414_ = 0f;
                     }
-                    let _e262 = phi_413_;
-                    let _e263 = (_e240 + _e262);
-                    let _e264 = (_e240 - _e262);
-                    let _e265 = select(_e250, 0f, _e254);
-                    if _e254 {
-                        phi_424_ = 38685626000000000000000000f;
+                    let _e263 = phi_414_;
+                    let _e264 = (_e241 + _e263);
+                    let _e265 = (_e241 - _e263);
+                    let _e266 = select(_e251, 0f, _e255);
+                    if _e255 {
+                        phi_425_ = 38685626000000000000000000f;
                     } else {
-                        phi_424_ = (1f / _e250);
+                        phi_425_ = (1f / _e251);
                     }
-                    let _e268 = phi_424_;
-                    let _e269 = (_e207 == 0u);
-                    if _e269 {
-                        phi_433_ = _e231[0];
+                    let _e269 = phi_425_;
+                    let _e270 = (_e208 == 0u);
+                    if _e270 {
+                        phi_434_ = _e232[0];
                     } else {
-                        phi_433_ = _e231[1];
+                        phi_434_ = _e232[1];
                     }
-                    let _e273 = phi_433_;
-                    let _e274 = (_e207 == 2u);
-                    if _e274 {
-                        phi_439_ = _e231[2];
+                    let _e274 = phi_434_;
+                    let _e275 = (_e208 == 2u);
+                    if _e275 {
+                        phi_440_ = _e232[2];
                     } else {
-                        phi_439_ = _e273;
+                        phi_440_ = _e274;
                     }
-                    let _e277 = phi_439_;
-                    if _e269 {
-                        phi_450_ = _e241[0];
+                    let _e278 = phi_440_;
+                    if _e270 {
+                        phi_451_ = _e242[0];
                     } else {
-                        phi_450_ = _e241[1];
+                        phi_451_ = _e242[1];
                     }
-                    let _e281 = phi_450_;
-                    if _e274 {
-                        phi_456_ = _e241[2];
+                    let _e282 = phi_451_;
+                    if _e275 {
+                        phi_457_ = _e242[2];
                     } else {
-                        phi_456_ = _e281;
+                        phi_457_ = _e282;
                     }
-                    let _e284 = phi_456_;
-                    let _e286 = ((_e284 * _e220) * _e226);
-                    let _e290 = (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e290 {
-                        let _e294 = (bitcast<f32>((bitcast<u32>(_e277) & 2147483647u)) * 0.00000011920929f);
-                        phi_479_ = select(0.00000000000011368684f, _e294, (_e294 > 0.00000000000011368684f));
+                    let _e285 = phi_457_;
+                    let _e287 = ((_e285 * _e221) * _e227);
+                    let _e291 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e291 {
+                        let _e295 = (bitcast<f32>((bitcast<u32>(_e278) & 2147483647u)) * 0.00000011920929f);
+                        phi_480_ = select(0.00000000000011368684f, _e295, (_e295 > 0.00000000000011368684f));
                     } else {
-                        phi_479_ = 0f;
+                        phi_480_ = 0f;
                     }
-                    let _e298 = phi_479_;
-                    let _e299 = (_e277 + _e298);
-                    let _e300 = (_e277 - _e298);
-                    let _e301 = select(_e286, 0f, _e290);
-                    if _e290 {
-                        phi_490_ = 38685626000000000000000000f;
+                    let _e299 = phi_480_;
+                    let _e300 = (_e278 + _e299);
+                    let _e301 = (_e278 - _e299);
+                    let _e302 = select(_e287, 0f, _e291);
+                    if _e291 {
+                        phi_491_ = 38685626000000000000000000f;
                     } else {
-                        phi_490_ = (1f / _e286);
+                        phi_491_ = (1f / _e287);
                     }
-                    let _e304 = phi_490_;
-                    let _e305 = (_e209 == 0u);
-                    if _e305 {
-                        phi_499_ = _e231[0];
+                    let _e305 = phi_491_;
+                    let _e306 = (_e210 == 0u);
+                    if _e306 {
+                        phi_500_ = _e232[0];
                     } else {
-                        phi_499_ = _e231[1];
+                        phi_500_ = _e232[1];
                     }
-                    let _e309 = phi_499_;
-                    let _e310 = (_e209 == 2u);
-                    if _e310 {
-                        phi_505_ = _e231[2];
+                    let _e310 = phi_500_;
+                    let _e311 = (_e210 == 2u);
+                    if _e311 {
+                        phi_506_ = _e232[2];
                     } else {
-                        phi_505_ = _e309;
+                        phi_506_ = _e310;
                     }
-                    let _e313 = phi_505_;
-                    if _e305 {
-                        phi_516_ = _e241[0];
+                    let _e314 = phi_506_;
+                    if _e306 {
+                        phi_517_ = _e242[0];
                     } else {
-                        phi_516_ = _e241[1];
+                        phi_517_ = _e242[1];
                     }
-                    let _e317 = phi_516_;
-                    if _e310 {
-                        phi_522_ = _e241[2];
+                    let _e318 = phi_517_;
+                    if _e311 {
+                        phi_523_ = _e242[2];
                     } else {
-                        phi_522_ = _e317;
+                        phi_523_ = _e318;
                     }
-                    let _e320 = phi_522_;
-                    let _e322 = ((_e320 * _e220) * _e226);
-                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e326 {
-                        let _e330 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_545_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                    let _e321 = phi_523_;
+                    let _e323 = ((_e321 * _e221) * _e227);
+                    let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e327 {
+                        let _e331 = (bitcast<f32>((bitcast<u32>(_e314) & 2147483647u)) * 0.00000011920929f);
+                        phi_546_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
                     } else {
-                        phi_545_ = 0f;
+                        phi_546_ = 0f;
                     }
-                    let _e334 = phi_545_;
-                    let _e335 = (_e313 + _e334);
-                    let _e336 = (_e313 - _e334);
-                    let _e337 = select(_e322, 0f, _e326);
-                    if _e326 {
-                        phi_556_ = 38685626000000000000000000f;
+                    let _e335 = phi_546_;
+                    let _e336 = (_e314 + _e335);
+                    let _e337 = (_e314 - _e335);
+                    let _e338 = select(_e323, 0f, _e327);
+                    if _e327 {
+                        phi_557_ = 38685626000000000000000000f;
                     } else {
-                        phi_556_ = (1f / _e322);
+                        phi_557_ = (1f / _e323);
                     }
-                    let _e340 = phi_556_;
-                    let _e343 = bitcast<f32>((bitcast<u32>(_e240) & 2147483647u));
-                    let _e346 = bitcast<f32>((bitcast<u32>(_e277) & 2147483647u));
-                    let _e348 = select(_e346, _e343, (_e343 > _e346));
-                    let _e351 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
-                    if (_e170 && (select(_e351, _e348, (_e348 > _e351)) <= 1099511600000f)) {
-                        let _e356 = (_e189 / 3i);
-                        let _e363 = bitcast<f32>((bitcast<u32>((_e356 + 127i)) << bitcast<u32>(23i)));
-                        let _e370 = bitcast<f32>((bitcast<u32>(((_e189 - (2i * _e356)) + 127i)) << bitcast<u32>(23i)));
-                        let _e371 = (((_e154 * _e363) * _e363) * _e370);
-                        let _e373 = select(340282350000000000000000000000000000000f, _e371, (_e371 < 340282350000000000000000000000000000000f));
-                        let _e378 = (((_e164 * _e363) * _e363) * _e370);
-                        let _e380 = select(340282350000000000000000000000000000000f, _e378, (_e378 < 340282350000000000000000000000000000000f));
-                        phi_656_ = select(-340282350000000000000000000000000000000f, _e380, (_e380 > -340282350000000000000000000000000000000f));
-                        phi_657_ = select(-340282350000000000000000000000000000000f, _e373, (_e373 > -340282350000000000000000000000000000000f));
+                    let _e341 = phi_557_;
+                    let _e344 = bitcast<f32>((bitcast<u32>(_e241) & 2147483647u));
+                    let _e347 = bitcast<f32>((bitcast<u32>(_e278) & 2147483647u));
+                    let _e349 = select(_e347, _e344, (_e344 > _e347));
+                    let _e352 = bitcast<f32>((bitcast<u32>(_e314) & 2147483647u));
+                    if (_e171 && (select(_e352, _e349, (_e349 > _e352)) <= 1099511600000f)) {
+                        let _e357 = (_e190 / 3i);
+                        let _e364 = bitcast<f32>((bitcast<u32>((_e357 + 127i)) << bitcast<u32>(23i)));
+                        let _e371 = bitcast<f32>((bitcast<u32>(((_e190 - (2i * _e357)) + 127i)) << bitcast<u32>(23i)));
+                        let _e372 = (((_e155 * _e364) * _e364) * _e371);
+                        let _e374 = select(340282350000000000000000000000000000000f, _e372, (_e372 < 340282350000000000000000000000000000000f));
+                        let _e379 = (((_e165 * _e364) * _e364) * _e371);
+                        let _e381 = select(340282350000000000000000000000000000000f, _e379, (_e379 < 340282350000000000000000000000000000000f));
+                        phi_657_ = select(-340282350000000000000000000000000000000f, _e381, (_e381 > -340282350000000000000000000000000000000f));
+                        phi_658_ = select(-340282350000000000000000000000000000000f, _e374, (_e374 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_656_ = 0f;
-                        phi_657_ = 1f;
+                        phi_657_ = 0f;
+                        phi_658_ = 1f;
                     }
-                    let _e384 = phi_656_;
-                    let _e386 = phi_657_;
+                    let _e385 = phi_657_;
+                    let _e387 = phi_658_;
                     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2373_ = false;
-                    phi_668_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e384);
-                    phi_671_ = select(0u, 2147483648u, (_e67 == 0u));
-                    phi_673_ = ((3u * _e67) + 1u);
-                    phi_675_ = (_e386 <= _e384);
-                    phi_677_ = 0u;
+                    phi_2371_ = false;
+                    phi_669_ = type_42(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e385);
+                    phi_672_ = select(0u, 2147483648u, (_e68 == 0u));
+                    phi_674_ = ((3u * _e68) + 1u);
+                    phi_676_ = (_e387 <= _e385);
+                    phi_678_ = 0u;
                     loop {
-                        let _e394 = phi_2373_;
-                        let _e396 = phi_668_;
-                        let _e398 = phi_671_;
-                        let _e400 = phi_673_;
-                        let _e402 = phi_675_;
-                        let _e404 = phi_677_;
-                        local_2 = _e396;
-                        if _e402 {
-                            phi_688_ = true;
+                        let _e395 = phi_2371_;
+                        let _e397 = phi_669_;
+                        let _e399 = phi_672_;
+                        let _e401 = phi_674_;
+                        let _e403 = phi_676_;
+                        let _e405 = phi_678_;
+                        local_2 = _e397;
+                        if _e403 {
+                            phi_689_ = true;
                         } else {
-                            phi_688_ = (_e404 > 0u);
+                            phi_689_ = (_e405 > 0u);
                         }
-                        let _e407 = phi_688_;
-                        if _e407 {
-                            let _e408 = (_e400 > 0u);
-                            if _e408 {
-                                if _e402 {
-                                    phi_720_ = _e398;
-                                    phi_721_ = _e402;
-                                    phi_722_ = _e404;
+                        let _e408 = phi_689_;
+                        if _e408 {
+                            let _e409 = (_e401 > 0u);
+                            if _e409 {
+                                if _e403 {
+                                    phi_721_ = _e399;
+                                    phi_722_ = _e403;
+                                    phi_723_ = _e405;
                                 } else {
-                                    let _e409 = (_e404 - 1u);
-                                    let _e410 = (_e409 % 128u);
-                                    let _e411 = (_e410 < 128u);
-                                    if _e411 {
+                                    let _e410 = (_e405 - 1u);
+                                    let _e411 = (_e410 % 128u);
+                                    let _e412 = (_e411 < 128u);
+                                    if _e412 {
                                     } else {
-                                        phi_2510_ = true;
+                                        phi_2508_ = true;
                                         break;
                                     }
-                                    let _e413 = local_1[_e410];
-                                    if _e411 {
+                                    let _e414 = local_1[_e411];
+                                    if _e412 {
                                     } else {
-                                        phi_2510_ = true;
+                                        phi_2508_ = true;
                                         break;
                                     }
-                                    let _e415 = local[_e410];
-                                    phi_720_ = _e413;
-                                    phi_721_ = (_e415 <= _e396.member_1);
-                                    phi_722_ = _e409;
+                                    let _e416 = local[_e411];
+                                    phi_721_ = _e414;
+                                    phi_722_ = (_e416 <= _e397.member_1);
+                                    phi_723_ = _e410;
                                 }
-                                let _e419 = phi_720_;
-                                let _e421 = phi_721_;
-                                let _e423 = phi_722_;
-                                if _e421 {
-                                    if ((_e419 & 2147483648u) != 0u) {
-                                        phi_737_ = _e396;
-                                        phi_740_ = type_7(0u, ((_e419 >> bitcast<u32>(28u)) & 7u));
+                                let _e420 = phi_721_;
+                                let _e422 = phi_722_;
+                                let _e424 = phi_723_;
+                                if _e422 {
+                                    if ((_e420 & 2147483648u) != 0u) {
+                                        phi_738_ = _e397;
+                                        phi_741_ = type_7(0u, ((_e420 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e621 = phi_737_;
-                                            let _e623 = phi_740_;
-                                            local_3 = _e621;
-                                            if (_e623.member < _e623.member_1) {
-                                                phi_741_ = type_7((_e623.member + 1u), _e623.member_1);
-                                                phi_763_ = type_7(1u, _e623.member);
+                                            let _e622 = phi_738_;
+                                            let _e624 = phi_741_;
+                                            local_3 = _e622;
+                                            if (_e624.member < _e624.member_1) {
+                                                phi_742_ = type_7((_e624.member + 1u), _e624.member_1);
+                                                phi_764_ = type_7(1u, _e624.member);
                                             } else {
-                                                phi_741_ = _e623;
-                                                phi_763_ = type_7(0u, type_7().member_1);
+                                                phi_742_ = _e624;
+                                                phi_764_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e636 = phi_741_;
-                                            let _e638 = phi_763_;
-                                            let _e642 = (bitcast<i32>(_e638.member) != 0i);
-                                            if _e642 {
-                                                let _e643 = ((_e419 & 268435455u) + _e638.member_1);
-                                                let _e644 = (_e643 < _e69);
-                                                if _e644 {
-                                                    if _e644 {
+                                            let _e637 = phi_742_;
+                                            let _e639 = phi_764_;
+                                            let _e643 = (bitcast<i32>(_e639.member) != 0i);
+                                            if _e643 {
+                                                let _e644 = ((_e420 & 268435455u) + _e639.member_1);
+                                                let _e645 = (_e644 < _e70);
+                                                if _e645 {
+                                                    if _e645 {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e648 = global_1.member[_e643].member_1;
-                                                    phi_784_ = _e648;
+                                                    let _e649 = global_1.member[_e644].member_1;
+                                                    phi_785_ = _e649;
                                                 } else {
-                                                    phi_784_ = 4294967295u;
+                                                    phi_785_ = 4294967295u;
                                                 }
-                                                let _e650 = phi_784_;
-                                                if (_e643 >= _e69) {
-                                                    phi_873_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e651 = phi_785_;
+                                                if (_e644 >= _e70) {
+                                                    phi_874_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e644 {
+                                                    if _e645 {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e652 = (_e208 % 3u);
-                                                    let _e653 = (_e207 % 3u);
-                                                    let _e654 = (_e209 % 3u);
-                                                    if (_e652 < 9u) {
-                                                    } else {
-                                                        phi_2367_ = true;
-                                                        break;
-                                                    }
-                                                    let _e660 = global_1.member[_e643].member[_e652];
+                                                    let _e653 = (_e209 % 3u);
+                                                    let _e654 = (_e208 % 3u);
+                                                    let _e655 = (_e210 % 3u);
                                                     if (_e653 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e666 = global_1.member[_e643].member[_e653];
+                                                    let _e661 = global_1.member[_e644].member[_e653];
                                                     if (_e654 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e672 = global_1.member[_e643].member[_e654];
-                                                    let _e674 = (3u + _e652);
-                                                    if (_e674 < 9u) {
+                                                    let _e667 = global_1.member[_e644].member[_e654];
+                                                    if (_e655 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e680 = global_1.member[_e643].member[_e674];
-                                                    let _e681 = (3u + _e653);
-                                                    if (_e681 < 9u) {
+                                                    let _e673 = global_1.member[_e644].member[_e655];
+                                                    let _e675 = (3u + _e653);
+                                                    if (_e675 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e687 = global_1.member[_e643].member[_e681];
-                                                    let _e688 = (3u + _e654);
-                                                    if (_e688 < 9u) {
+                                                    let _e681 = global_1.member[_e644].member[_e675];
+                                                    let _e682 = (3u + _e654);
+                                                    if (_e682 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e694 = global_1.member[_e643].member[_e688];
-                                                    let _e696 = (6u + _e652);
-                                                    if (_e696 < 9u) {
+                                                    let _e688 = global_1.member[_e644].member[_e682];
+                                                    let _e689 = (3u + _e655);
+                                                    if (_e689 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e702 = global_1.member[_e643].member[_e696];
-                                                    let _e703 = (6u + _e653);
-                                                    if (_e703 < 9u) {
+                                                    let _e695 = global_1.member[_e644].member[_e689];
+                                                    let _e697 = (6u + _e653);
+                                                    if (_e697 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e709 = global_1.member[_e643].member[_e703];
-                                                    let _e710 = (6u + _e654);
-                                                    if (_e710 < 9u) {
+                                                    let _e703 = global_1.member[_e644].member[_e697];
+                                                    let _e704 = (6u + _e654);
+                                                    if (_e704 < 9u) {
                                                     } else {
-                                                        phi_2367_ = true;
+                                                        phi_2365_ = true;
                                                         break;
                                                     }
-                                                    let _e716 = global_1.member[_e643].member[_e710];
-                                                    phi_873_ = array<array<f32, 3>, 3>(array<f32, 3>(_e660, _e666, _e672), array<f32, 3>(_e680, _e687, _e694), array<f32, 3>(_e702, _e709, _e716));
+                                                    let _e710 = global_1.member[_e644].member[_e704];
+                                                    let _e711 = (6u + _e655);
+                                                    if (_e711 < 9u) {
+                                                    } else {
+                                                        phi_2365_ = true;
+                                                        break;
+                                                    }
+                                                    let _e717 = global_1.member[_e644].member[_e711];
+                                                    phi_874_ = array<array<f32, 3>, 3>(array<f32, 3>(_e661, _e667, _e673), array<f32, 3>(_e681, _e688, _e695), array<f32, 3>(_e703, _e710, _e717));
                                                 }
-                                                let _e720 = phi_873_;
-                                                let _e728 = (_e720[0][2] - _e313);
-                                                let _e731 = (((_e720[0][0] - _e240) * _e337) - (_e728 * _e265));
-                                                let _e734 = (((_e720[0][1] - _e277) * _e337) - (_e728 * _e301));
-                                                let _e741 = (_e720[1][2] - _e313);
-                                                let _e744 = (((_e720[1][0] - _e240) * _e337) - (_e741 * _e265));
-                                                let _e747 = (((_e720[1][1] - _e277) * _e337) - (_e741 * _e301));
-                                                let _e754 = (_e720[2][2] - _e313);
-                                                let _e757 = (((_e720[2][0] - _e240) * _e337) - (_e754 * _e265));
-                                                let _e760 = (((_e720[2][1] - _e277) * _e337) - (_e754 * _e301));
-                                                let _e761 = (_e757 * _e747);
-                                                let _e762 = (_e760 * _e744);
-                                                let _e763 = (_e731 * _e760);
-                                                let _e764 = (_e734 * _e757);
-                                                let _e765 = (_e744 * _e734);
-                                                let _e766 = (_e747 * _e731);
-                                                let _e771 = (((_e761 >= _e762) && (_e763 >= _e764)) && (_e765 >= _e766));
-                                                if (_e771 || (((_e761 <= _e762) && (_e763 <= _e764)) && (_e765 <= _e766))) {
-                                                    let _e778 = select(-1f, 1f, _e771);
-                                                    let _e780 = ((_e761 - _e762) * _e778);
-                                                    let _e782 = select(0f, _e780, (_e780 > 0f));
-                                                    let _e784 = ((_e763 - _e764) * _e778);
-                                                    let _e786 = select(0f, _e784, (_e784 > 0f));
-                                                    let _e788 = ((_e765 - _e766) * _e778);
-                                                    let _e790 = select(0f, _e788, (_e788 > 0f));
-                                                    let _e792 = ((_e782 + _e786) + _e790);
-                                                    if (_e792 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1701_ = type_22();
-                                                        phi_1702_ = true;
-                                                        phi_1703_ = false;
+                                                let _e721 = phi_874_;
+                                                let _e729 = (_e721[0][2] - _e314);
+                                                let _e732 = (((_e721[0][0] - _e241) * _e338) - (_e729 * _e266));
+                                                let _e735 = (((_e721[0][1] - _e278) * _e338) - (_e729 * _e302));
+                                                let _e742 = (_e721[1][2] - _e314);
+                                                let _e745 = (((_e721[1][0] - _e241) * _e338) - (_e742 * _e266));
+                                                let _e748 = (((_e721[1][1] - _e278) * _e338) - (_e742 * _e302));
+                                                let _e755 = (_e721[2][2] - _e314);
+                                                let _e758 = (((_e721[2][0] - _e241) * _e338) - (_e755 * _e266));
+                                                let _e761 = (((_e721[2][1] - _e278) * _e338) - (_e755 * _e302));
+                                                let _e762 = (_e758 * _e748);
+                                                let _e763 = (_e761 * _e745);
+                                                let _e764 = (_e732 * _e761);
+                                                let _e765 = (_e735 * _e758);
+                                                let _e766 = (_e745 * _e735);
+                                                let _e767 = (_e748 * _e732);
+                                                let _e772 = (((_e762 >= _e763) && (_e764 >= _e765)) && (_e766 >= _e767));
+                                                if (_e772 || (((_e762 <= _e763) && (_e764 <= _e765)) && (_e766 <= _e767))) {
+                                                    let _e779 = select(-1f, 1f, _e772);
+                                                    let _e781 = ((_e762 - _e763) * _e779);
+                                                    let _e783 = select(0f, _e781, (_e781 > 0f));
+                                                    let _e785 = ((_e764 - _e765) * _e779);
+                                                    let _e787 = select(0f, _e785, (_e785 > 0f));
+                                                    let _e789 = ((_e766 - _e767) * _e779);
+                                                    let _e791 = select(0f, _e789, (_e789 > 0f));
+                                                    let _e793 = ((_e783 + _e787) + _e791);
+                                                    if (_e793 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1699_ = type_22();
+                                                        phi_1700_ = true;
+                                                        phi_1701_ = false;
                                                     } else {
-                                                        let _e795 = select(_e744, _e731, (_e731 < _e744));
-                                                        if (select(_e757, _e795, (_e795 < _e757)) > 0f) {
-                                                            phi_990_ = true;
+                                                        let _e796 = select(_e745, _e732, (_e732 < _e745));
+                                                        if (select(_e758, _e796, (_e796 < _e758)) > 0f) {
+                                                            phi_991_ = true;
                                                         } else {
-                                                            let _e800 = select(_e744, _e731, (_e731 > _e744));
-                                                            phi_990_ = (select(_e757, _e800, (_e800 > _e757)) < 0f);
+                                                            let _e801 = select(_e745, _e732, (_e732 > _e745));
+                                                            phi_991_ = (select(_e758, _e801, (_e801 > _e758)) < 0f);
                                                         }
-                                                        let _e805 = phi_990_;
-                                                        if _e805 {
-                                                            phi_1698_ = type_22();
-                                                            phi_1699_ = true;
-                                                            phi_1700_ = false;
+                                                        let _e806 = phi_991_;
+                                                        if _e806 {
+                                                            phi_1696_ = type_22();
+                                                            phi_1697_ = true;
+                                                            phi_1698_ = false;
                                                         } else {
-                                                            let _e807 = select(_e747, _e734, (_e734 < _e747));
-                                                            if (select(_e760, _e807, (_e807 < _e760)) > 0f) {
-                                                                phi_1019_ = true;
+                                                            let _e808 = select(_e748, _e735, (_e735 < _e748));
+                                                            if (select(_e761, _e808, (_e808 < _e761)) > 0f) {
+                                                                phi_1020_ = true;
                                                             } else {
-                                                                let _e812 = select(_e747, _e734, (_e734 > _e747));
-                                                                phi_1019_ = (select(_e760, _e812, (_e812 > _e760)) < 0f);
+                                                                let _e813 = select(_e748, _e735, (_e735 > _e748));
+                                                                phi_1020_ = (select(_e761, _e813, (_e813 > _e761)) < 0f);
                                                             }
-                                                            let _e817 = phi_1019_;
-                                                            if _e817 {
-                                                                phi_1696_ = type_22();
-                                                                phi_1697_ = false;
+                                                            let _e818 = phi_1020_;
+                                                            if _e818 {
+                                                                phi_1694_ = type_22();
+                                                                phi_1695_ = false;
                                                             } else {
-                                                                let _e819 = select(_e720[1][0], _e720[0][0], (_e720[0][0] < _e720[1][0]));
-                                                                let _e823 = select(_e720[1][0], _e720[0][0], (_e720[0][0] > _e720[1][0]));
-                                                                let _e827 = select(_e720[1][1], _e720[0][1], (_e720[0][1] < _e720[1][1]));
-                                                                let _e831 = select(_e720[1][1], _e720[0][1], (_e720[0][1] > _e720[1][1]));
-                                                                let _e835 = select(_e720[1][2], _e720[0][2], (_e720[0][2] < _e720[1][2]));
-                                                                let _e839 = select(_e720[1][2], _e720[0][2], (_e720[0][2] > _e720[1][2]));
-                                                                let _e844 = ((select(_e720[2][0], _e819, (_e819 < _e720[2][0])) - _e263) * _e268);
-                                                                let _e845 = ((select(_e720[2][0], _e823, (_e823 > _e720[2][0])) - _e264) * _e268);
-                                                                let _e848 = ((select(_e720[2][1], _e827, (_e827 < _e720[2][1])) - _e299) * _e304);
-                                                                let _e849 = ((select(_e720[2][1], _e831, (_e831 > _e720[2][1])) - _e300) * _e304);
-                                                                let _e852 = ((select(_e720[2][2], _e835, (_e835 < _e720[2][2])) - _e335) * _e340);
-                                                                let _e853 = ((select(_e720[2][2], _e839, (_e839 > _e720[2][2])) - _e336) * _e340);
-                                                                let _e855 = select(_e853, _e852, (_e852 < _e853));
-                                                                let _e857 = select(_e853, _e852, (_e852 > _e853));
-                                                                let _e859 = select(_e845, _e844, (_e844 < _e845));
-                                                                let _e861 = select(_e849, _e848, (_e848 < _e849));
-                                                                let _e863 = select(_e861, _e859, (_e859 > _e861));
-                                                                let _e865 = select(_e855, _e863, (_e863 > _e855));
-                                                                let _e867 = select(_e845, _e844, (_e844 > _e845));
-                                                                let _e869 = select(_e849, _e848, (_e848 > _e849));
-                                                                let _e871 = select(_e869, _e867, (_e867 < _e869));
-                                                                let _e873 = select(_e857, _e871, (_e871 < _e857));
-                                                                let _e874 = -(_e855);
-                                                                let _e880 = select(_e386, _e865, (_e865 > _e386));
-                                                                if (_e880 > (_e873 + (select(_e874, _e857, (_e857 > _e874)) * 0.0000019073523f))) {
-                                                                    phi_1691_ = type_22();
-                                                                    phi_1692_ = true;
+                                                                let _e820 = select(_e721[1][0], _e721[0][0], (_e721[0][0] < _e721[1][0]));
+                                                                let _e824 = select(_e721[1][0], _e721[0][0], (_e721[0][0] > _e721[1][0]));
+                                                                let _e828 = select(_e721[1][1], _e721[0][1], (_e721[0][1] < _e721[1][1]));
+                                                                let _e832 = select(_e721[1][1], _e721[0][1], (_e721[0][1] > _e721[1][1]));
+                                                                let _e836 = select(_e721[1][2], _e721[0][2], (_e721[0][2] < _e721[1][2]));
+                                                                let _e840 = select(_e721[1][2], _e721[0][2], (_e721[0][2] > _e721[1][2]));
+                                                                let _e845 = ((select(_e721[2][0], _e820, (_e820 < _e721[2][0])) - _e264) * _e269);
+                                                                let _e846 = ((select(_e721[2][0], _e824, (_e824 > _e721[2][0])) - _e265) * _e269);
+                                                                let _e849 = ((select(_e721[2][1], _e828, (_e828 < _e721[2][1])) - _e300) * _e305);
+                                                                let _e850 = ((select(_e721[2][1], _e832, (_e832 > _e721[2][1])) - _e301) * _e305);
+                                                                let _e853 = ((select(_e721[2][2], _e836, (_e836 < _e721[2][2])) - _e336) * _e341);
+                                                                let _e854 = ((select(_e721[2][2], _e840, (_e840 > _e721[2][2])) - _e337) * _e341);
+                                                                let _e856 = select(_e854, _e853, (_e853 < _e854));
+                                                                let _e858 = select(_e854, _e853, (_e853 > _e854));
+                                                                let _e860 = select(_e846, _e845, (_e845 < _e846));
+                                                                let _e862 = select(_e850, _e849, (_e849 < _e850));
+                                                                let _e864 = select(_e862, _e860, (_e860 > _e862));
+                                                                let _e866 = select(_e856, _e864, (_e864 > _e856));
+                                                                let _e868 = select(_e846, _e845, (_e845 > _e846));
+                                                                let _e870 = select(_e850, _e849, (_e849 > _e850));
+                                                                let _e872 = select(_e870, _e868, (_e868 < _e870));
+                                                                let _e874 = select(_e858, _e872, (_e872 < _e858));
+                                                                let _e875 = -(_e856);
+                                                                let _e881 = select(_e387, _e866, (_e866 > _e387));
+                                                                if (_e881 > (_e874 + (select(_e875, _e858, (_e858 > _e875)) * 0.0000019073523f))) {
+                                                                    phi_1689_ = type_22();
+                                                                    phi_1690_ = true;
                                                                 } else {
-                                                                    let _e882 = (_e880 > _e621.member_1);
-                                                                    if _e882 {
-                                                                        phi_1690_ = type_22();
+                                                                    let _e883 = (_e881 > _e622.member_1);
+                                                                    if _e883 {
+                                                                        phi_1688_ = type_22();
                                                                     } else {
-                                                                        let _e883 = vec3<f32>(_e720[0][0], _e720[0][1], _e720[0][2]);
-                                                                        let _e884 = vec3<f32>(_e720[1][0], _e720[1][1], _e720[1][2]);
-                                                                        let _e885 = vec3<f32>(_e720[2][0], _e720[2][1], _e720[2][2]);
-                                                                        let _e886 = (_e720[1][0] - _e720[0][0]);
-                                                                        let _e887 = (_e720[1][1] - _e720[0][1]);
-                                                                        let _e888 = (_e720[1][2] - _e720[0][2]);
-                                                                        let _e889 = vec3<f32>(_e886, _e887, _e888);
-                                                                        let _e890 = (_e720[2][0] - _e720[1][0]);
-                                                                        let _e891 = (_e720[2][1] - _e720[1][1]);
-                                                                        let _e892 = (_e720[2][2] - _e720[1][2]);
-                                                                        let _e893 = vec3<f32>(_e890, _e891, _e892);
-                                                                        let _e894 = (_e720[0][0] - _e720[2][0]);
-                                                                        let _e895 = (_e720[0][1] - _e720[2][1]);
-                                                                        let _e896 = (_e720[0][2] - _e720[2][2]);
-                                                                        let _e897 = vec3<f32>(_e894, _e895, _e896);
-                                                                        let _e900 = bitcast<f32>((bitcast<u32>(_e886) & 2147483647u));
-                                                                        let _e903 = bitcast<f32>((bitcast<u32>(_e887) & 2147483647u));
-                                                                        let _e905 = select(_e903, _e900, (_e900 > _e903));
-                                                                        let _e908 = bitcast<f32>((bitcast<u32>(_e888) & 2147483647u));
-                                                                        let _e910 = select(_e908, _e905, (_e905 > _e908));
-                                                                        let _e913 = bitcast<f32>((bitcast<u32>(_e890) & 2147483647u));
-                                                                        let _e916 = bitcast<f32>((bitcast<u32>(_e891) & 2147483647u));
-                                                                        let _e918 = select(_e916, _e913, (_e913 > _e916));
-                                                                        let _e921 = bitcast<f32>((bitcast<u32>(_e892) & 2147483647u));
-                                                                        let _e923 = select(_e921, _e918, (_e918 > _e921));
-                                                                        let _e926 = bitcast<f32>((bitcast<u32>(_e894) & 2147483647u));
-                                                                        let _e929 = bitcast<f32>((bitcast<u32>(_e895) & 2147483647u));
-                                                                        let _e931 = select(_e929, _e926, (_e926 > _e929));
-                                                                        let _e934 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
-                                                                        let _e936 = select(_e934, _e931, (_e931 > _e934));
-                                                                        let _e938 = select(_e923, _e910, (_e910 > _e923));
-                                                                        let _e940 = select(_e936, _e938, (_e938 > _e936));
-                                                                        if (_e910 == _e940) {
-                                                                            phi_1420_ = _e747;
-                                                                            phi_1421_ = _e744;
-                                                                            phi_1422_ = _e734;
-                                                                            phi_1423_ = _e731;
-                                                                            phi_1424_ = _e883;
-                                                                            phi_1425_ = _e897;
-                                                                            phi_1426_ = _e893;
-                                                                            phi_1427_ = _e889;
+                                                                        let _e884 = vec3<f32>(_e721[0][0], _e721[0][1], _e721[0][2]);
+                                                                        let _e885 = vec3<f32>(_e721[1][0], _e721[1][1], _e721[1][2]);
+                                                                        let _e886 = vec3<f32>(_e721[2][0], _e721[2][1], _e721[2][2]);
+                                                                        let _e887 = (_e721[1][0] - _e721[0][0]);
+                                                                        let _e888 = (_e721[1][1] - _e721[0][1]);
+                                                                        let _e889 = (_e721[1][2] - _e721[0][2]);
+                                                                        let _e890 = vec3<f32>(_e887, _e888, _e889);
+                                                                        let _e891 = (_e721[2][0] - _e721[1][0]);
+                                                                        let _e892 = (_e721[2][1] - _e721[1][1]);
+                                                                        let _e893 = (_e721[2][2] - _e721[1][2]);
+                                                                        let _e894 = vec3<f32>(_e891, _e892, _e893);
+                                                                        let _e895 = (_e721[0][0] - _e721[2][0]);
+                                                                        let _e896 = (_e721[0][1] - _e721[2][1]);
+                                                                        let _e897 = (_e721[0][2] - _e721[2][2]);
+                                                                        let _e898 = vec3<f32>(_e895, _e896, _e897);
+                                                                        let _e901 = bitcast<f32>((bitcast<u32>(_e887) & 2147483647u));
+                                                                        let _e904 = bitcast<f32>((bitcast<u32>(_e888) & 2147483647u));
+                                                                        let _e906 = select(_e904, _e901, (_e901 > _e904));
+                                                                        let _e909 = bitcast<f32>((bitcast<u32>(_e889) & 2147483647u));
+                                                                        let _e911 = select(_e909, _e906, (_e906 > _e909));
+                                                                        let _e914 = bitcast<f32>((bitcast<u32>(_e891) & 2147483647u));
+                                                                        let _e917 = bitcast<f32>((bitcast<u32>(_e892) & 2147483647u));
+                                                                        let _e919 = select(_e917, _e914, (_e914 > _e917));
+                                                                        let _e922 = bitcast<f32>((bitcast<u32>(_e893) & 2147483647u));
+                                                                        let _e924 = select(_e922, _e919, (_e919 > _e922));
+                                                                        let _e927 = bitcast<f32>((bitcast<u32>(_e895) & 2147483647u));
+                                                                        let _e930 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
+                                                                        let _e932 = select(_e930, _e927, (_e927 > _e930));
+                                                                        let _e935 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
+                                                                        let _e937 = select(_e935, _e932, (_e932 > _e935));
+                                                                        let _e939 = select(_e924, _e911, (_e911 > _e924));
+                                                                        let _e941 = select(_e937, _e939, (_e939 > _e937));
+                                                                        if (_e911 == _e941) {
+                                                                            phi_1421_ = _e748;
+                                                                            phi_1422_ = _e745;
+                                                                            phi_1423_ = _e735;
+                                                                            phi_1424_ = _e732;
+                                                                            phi_1425_ = _e884;
+                                                                            phi_1426_ = _e898;
+                                                                            phi_1427_ = _e894;
+                                                                            phi_1428_ = _e890;
                                                                         } else {
-                                                                            let _e942 = (_e923 == _e940);
-                                                                            let _e947 = vec3(_e942);
-                                                                            phi_1420_ = select(_e734, _e760, _e942);
-                                                                            phi_1421_ = select(_e731, _e757, _e942);
-                                                                            phi_1422_ = select(_e760, _e747, _e942);
-                                                                            phi_1423_ = select(_e757, _e744, _e942);
-                                                                            phi_1424_ = select(_e885, _e884, _e947);
-                                                                            phi_1425_ = select(_e893, _e889, _e947);
-                                                                            phi_1426_ = select(_e889, _e897, _e947);
-                                                                            phi_1427_ = select(_e897, _e893, _e947);
+                                                                            let _e943 = (_e924 == _e941);
+                                                                            let _e948 = vec3(_e943);
+                                                                            phi_1421_ = select(_e735, _e761, _e943);
+                                                                            phi_1422_ = select(_e732, _e758, _e943);
+                                                                            phi_1423_ = select(_e761, _e748, _e943);
+                                                                            phi_1424_ = select(_e758, _e745, _e943);
+                                                                            phi_1425_ = select(_e886, _e885, _e948);
+                                                                            phi_1426_ = select(_e894, _e890, _e948);
+                                                                            phi_1427_ = select(_e890, _e898, _e948);
+                                                                            phi_1428_ = select(_e898, _e894, _e948);
                                                                         }
-                                                                        let _e953 = phi_1420_;
-                                                                        let _e955 = phi_1421_;
-                                                                        let _e957 = phi_1422_;
-                                                                        let _e959 = phi_1423_;
-                                                                        let _e961 = phi_1424_;
-                                                                        let _e963 = phi_1425_;
-                                                                        let _e965 = phi_1426_;
-                                                                        let _e967 = phi_1427_;
-                                                                        let _e974 = ((_e965.y * _e963.z) - (_e963.y * _e965.z));
-                                                                        let _e979 = ((_e965.z * _e963.x) - (_e963.z * _e965.x));
-                                                                        let _e982 = ((_e965.x * _e963.y) - (_e963.x * _e965.y));
-                                                                        if (_e782 >= _e786) {
-                                                                            phi_1458_ = select(true, false, (_e782 >= _e790));
+                                                                        let _e954 = phi_1421_;
+                                                                        let _e956 = phi_1422_;
+                                                                        let _e958 = phi_1423_;
+                                                                        let _e960 = phi_1424_;
+                                                                        let _e962 = phi_1425_;
+                                                                        let _e964 = phi_1426_;
+                                                                        let _e966 = phi_1427_;
+                                                                        let _e968 = phi_1428_;
+                                                                        let _e975 = ((_e966.y * _e964.z) - (_e964.y * _e966.z));
+                                                                        let _e980 = ((_e966.z * _e964.x) - (_e964.z * _e966.x));
+                                                                        let _e983 = ((_e966.x * _e964.y) - (_e964.x * _e966.y));
+                                                                        if (_e783 >= _e787) {
+                                                                            phi_1459_ = select(true, false, (_e783 >= _e791));
                                                                         } else {
-                                                                            phi_1458_ = true;
+                                                                            phi_1459_ = true;
                                                                         }
-                                                                        let _e987 = phi_1458_;
-                                                                        if _e987 {
-                                                                            phi_1467_ = select(_e885, _e884, vec3((_e786 >= _e790)));
+                                                                        let _e988 = phi_1459_;
+                                                                        if _e988 {
+                                                                            phi_1468_ = select(_e886, _e885, vec3((_e787 >= _e791)));
                                                                         } else {
-                                                                            phi_1467_ = _e883;
+                                                                            phi_1468_ = _e884;
                                                                         }
-                                                                        let _e992 = phi_1467_;
-                                                                        let _e997 = (((_e974 * _e265) + (_e979 * _e301)) + (_e982 * _e337));
-                                                                        let _e1008 = (((_e974 * (_e992.x - _e240)) + (_e979 * (_e992.y - _e277))) + (_e982 * (_e992.z - _e313)));
-                                                                        let _e1010 = (_e955 - _e959);
-                                                                        let _e1011 = (_e953 - _e957);
-                                                                        let _e1019 = (-(((_e959 * _e1010) + (_e957 * _e1011))) / ((_e1010 * _e1010) + (_e1011 * _e1011)));
+                                                                        let _e993 = phi_1468_;
+                                                                        let _e1004 = (((_e975 * (_e993.x - _e241)) + (_e980 * (_e993.y - _e278))) + (_e983 * (_e993.z - _e314)));
+                                                                        let _e1009 = (((_e975 * _e266) + (_e980 * _e302)) + (_e983 * _e338));
+                                                                        let _e1010 = (_e956 - _e960);
+                                                                        let _e1011 = (_e954 - _e958);
+                                                                        let _e1019 = (-(((_e960 * _e1010) + (_e958 * _e1011))) / ((_e1010 * _e1010) + (_e1011 * _e1011)));
                                                                         let _e1021 = select(1f, _e1019, (_e1019 < 1f));
                                                                         let _e1023 = select(0f, _e1021, (_e1021 > 0f));
-                                                                        let _e1036 = ((_e961.x + (_e967.x * _e1023)) - _e240);
-                                                                        let _e1037 = ((_e961.y + (_e967.y * _e1023)) - _e277);
-                                                                        let _e1038 = ((_e961.z + (_e967.z * _e1023)) - _e313);
-                                                                        let _e1039 = (_e1038 / _e337);
+                                                                        let _e1036 = ((_e962.x + (_e968.x * _e1023)) - _e241);
+                                                                        let _e1037 = ((_e962.y + (_e968.y * _e1023)) - _e278);
+                                                                        let _e1038 = ((_e962.z + (_e968.z * _e1023)) - _e314);
+                                                                        let _e1039 = (_e1038 / _e338);
                                                                         let _e1051 = bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u));
                                                                         let _e1054 = bitcast<f32>((bitcast<u32>(_e1037) & 2147483647u));
                                                                         let _e1056 = select(_e1054, _e1051, (_e1051 > _e1054));
                                                                         let _e1059 = bitcast<f32>((bitcast<u32>(_e1038) & 2147483647u));
                                                                         let _e1061 = select(_e1059, _e1056, (_e1056 > _e1059));
-                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e974) & 2147483647u));
-                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e979) & 2147483647u));
+                                                                        let _e1067 = bitcast<f32>((bitcast<u32>(_e975) & 2147483647u));
+                                                                        let _e1070 = bitcast<f32>((bitcast<u32>(_e980) & 2147483647u));
                                                                         let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e982) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e974 * _e1036) + (_e979 * _e1037)) + (_e982 * _e1038)) - _e1008)) & 2147483647u)) <= ((0.0000009536743f * select(_e940, _e1061, (_e1061 > _e940))) * select(_e1075, _e1072, (_e1072 > _e1075)))) {
-                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e965.x) & 2147483647u));
-                                                                            let _e1088 = bitcast<f32>((bitcast<u32>(_e965.y) & 2147483647u));
+                                                                        let _e1075 = bitcast<f32>((bitcast<u32>(_e983) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e975 * _e1036) + (_e980 * _e1037)) + (_e983 * _e1038)) - _e1004)) & 2147483647u)) <= ((0.0000009536743f * select(_e941, _e1061, (_e1061 > _e941))) * select(_e1075, _e1072, (_e1072 > _e1075)))) {
+                                                                            let _e1085 = bitcast<f32>((bitcast<u32>(_e966.x) & 2147483647u));
+                                                                            let _e1088 = bitcast<f32>((bitcast<u32>(_e966.y) & 2147483647u));
                                                                             let _e1090 = select(_e1088, _e1085, (_e1085 > _e1088));
-                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e965.z) & 2147483647u));
-                                                                            let _e1099 = bitcast<f32>((bitcast<u32>(_e963.x) & 2147483647u));
-                                                                            let _e1102 = bitcast<f32>((bitcast<u32>(_e963.y) & 2147483647u));
+                                                                            let _e1093 = bitcast<f32>((bitcast<u32>(_e966.z) & 2147483647u));
+                                                                            let _e1099 = bitcast<f32>((bitcast<u32>(_e964.x) & 2147483647u));
+                                                                            let _e1102 = bitcast<f32>((bitcast<u32>(_e964.y) & 2147483647u));
                                                                             let _e1104 = select(_e1102, _e1099, (_e1099 > _e1102));
-                                                                            let _e1107 = bitcast<f32>((bitcast<u32>(_e963.z) & 2147483647u));
-                                                                            phi_1634_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e997) & 2147483647u)) > ((0.0000038146973f * select(_e1093, _e1090, (_e1090 > _e1093))) * select(_e1107, _e1104, (_e1104 > _e1107)))));
-                                                                        } else {
-                                                                            phi_1634_ = true;
-                                                                        }
-                                                                        let _e1114 = phi_1634_;
-                                                                        if _e1114 {
-                                                                            let _e1125 = ((((_e974 * (_e1036 - (_e265 * _e1039))) + (_e979 * (_e1037 - (_e301 * _e1039)))) + (_e982 * (_e1038 - _e1038))) / _e997);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1125) & 2147483647u)) <= _e940) {
-                                                                                phi_1658_ = (_e1039 + _e1125);
+                                                                            let _e1107 = bitcast<f32>((bitcast<u32>(_e964.z) & 2147483647u));
+                                                                            let _e1111 = (bitcast<f32>((bitcast<u32>(_e1009) & 2147483647u)) > ((0.0000038146973f * select(_e1093, _e1090, (_e1090 > _e1093))) * select(_e1107, _e1104, (_e1104 > _e1107))));
+                                                                            if _e1111 {
+                                                                                phi_1633_ = (_e1004 / _e1009);
                                                                             } else {
-                                                                                phi_1658_ = _e1039;
+                                                                                phi_1633_ = f32();
                                                                             }
-                                                                            let _e1132 = phi_1658_;
-                                                                            phi_1659_ = _e1132;
+                                                                            let _e1114 = phi_1633_;
+                                                                            phi_1635_ = _e1114;
+                                                                            phi_1636_ = select(true, false, _e1111);
                                                                         } else {
-                                                                            phi_1659_ = (_e1008 / _e997);
+                                                                            phi_1635_ = f32();
+                                                                            phi_1636_ = true;
                                                                         }
-                                                                        let _e1134 = phi_1659_;
-                                                                        let _e1136 = select(_e873, _e1134, (_e1134 < _e873));
-                                                                        let _e1138 = select(_e865, _e1136, (_e1136 > _e865));
-                                                                        if (_e1138 >= _e386) {
-                                                                            let _e1140 = (_e1138 <= _e621.member_1);
-                                                                            if _e1140 {
-                                                                                let _e1141 = (1f / _e792);
-                                                                                phi_1682_ = type_22(_e1138, (_e786 * _e1141), (_e790 * _e1141), _e650);
+                                                                        let _e1117 = phi_1635_;
+                                                                        let _e1119 = phi_1636_;
+                                                                        if _e1119 {
+                                                                            let _e1127 = (((_e975 * (_e1036 - (_e266 * _e1039))) + (_e980 * (_e1037 - (_e302 * _e1039)))) / _e1009);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u)) <= _e941) {
+                                                                                phi_1656_ = (_e1039 + _e1127);
                                                                             } else {
-                                                                                phi_1682_ = type_22();
+                                                                                phi_1656_ = _e1039;
                                                                             }
-                                                                            let _e1146 = phi_1682_;
-                                                                            phi_1684_ = _e1146;
-                                                                            phi_1685_ = select(true, false, _e1140);
+                                                                            let _e1134 = phi_1656_;
+                                                                            phi_1657_ = _e1134;
                                                                         } else {
-                                                                            phi_1684_ = type_22();
-                                                                            phi_1685_ = true;
+                                                                            phi_1657_ = _e1117;
                                                                         }
-                                                                        let _e1149 = phi_1684_;
-                                                                        let _e1151 = phi_1685_;
-                                                                        if _e1151 {
-                                                                            phi_1689_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1136 = phi_1657_;
+                                                                        let _e1138 = select(_e874, _e1136, (_e1136 < _e874));
+                                                                        let _e1140 = select(_e866, _e1138, (_e1138 > _e866));
+                                                                        if (_e1140 >= _e387) {
+                                                                            let _e1142 = (_e1140 <= _e622.member_1);
+                                                                            if _e1142 {
+                                                                                let _e1143 = (1f / _e793);
+                                                                                phi_1680_ = type_22(_e1140, (_e787 * _e1143), (_e791 * _e1143), _e651);
+                                                                            } else {
+                                                                                phi_1680_ = type_22();
+                                                                            }
+                                                                            let _e1148 = phi_1680_;
+                                                                            phi_1682_ = _e1148;
+                                                                            phi_1683_ = select(true, false, _e1142);
                                                                         } else {
-                                                                            phi_1689_ = _e1149;
+                                                                            phi_1682_ = type_22();
+                                                                            phi_1683_ = true;
                                                                         }
-                                                                        let _e1153 = phi_1689_;
-                                                                        phi_1690_ = _e1153;
+                                                                        let _e1151 = phi_1682_;
+                                                                        let _e1153 = phi_1683_;
+                                                                        if _e1153 {
+                                                                            phi_1687_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1687_ = _e1151;
+                                                                        }
+                                                                        let _e1155 = phi_1687_;
+                                                                        phi_1688_ = _e1155;
                                                                     }
-                                                                    let _e1155 = phi_1690_;
-                                                                    phi_1691_ = _e1155;
-                                                                    phi_1692_ = _e882;
+                                                                    let _e1157 = phi_1688_;
+                                                                    phi_1689_ = _e1157;
+                                                                    phi_1690_ = _e883;
                                                                 }
-                                                                let _e1157 = phi_1691_;
-                                                                let _e1159 = phi_1692_;
-                                                                phi_1696_ = _e1157;
-                                                                phi_1697_ = _e1159;
+                                                                let _e1159 = phi_1689_;
+                                                                let _e1161 = phi_1690_;
+                                                                phi_1694_ = _e1159;
+                                                                phi_1695_ = _e1161;
                                                             }
-                                                            let _e1161 = phi_1696_;
-                                                            let _e1163 = phi_1697_;
-                                                            phi_1698_ = _e1161;
-                                                            phi_1699_ = _e817;
-                                                            phi_1700_ = _e1163;
+                                                            let _e1163 = phi_1694_;
+                                                            let _e1165 = phi_1695_;
+                                                            phi_1696_ = _e1163;
+                                                            phi_1697_ = _e818;
+                                                            phi_1698_ = _e1165;
                                                         }
-                                                        let _e1165 = phi_1698_;
-                                                        let _e1167 = phi_1699_;
-                                                        let _e1169 = phi_1700_;
-                                                        phi_1701_ = _e1165;
-                                                        phi_1702_ = _e1167;
-                                                        phi_1703_ = _e1169;
+                                                        let _e1167 = phi_1696_;
+                                                        let _e1169 = phi_1697_;
+                                                        let _e1171 = phi_1698_;
+                                                        phi_1699_ = _e1167;
+                                                        phi_1700_ = _e1169;
+                                                        phi_1701_ = _e1171;
                                                     }
-                                                    let _e1171 = phi_1701_;
-                                                    let _e1173 = phi_1702_;
-                                                    let _e1175 = phi_1703_;
-                                                    phi_1711_ = _e1171;
-                                                    phi_1712_ = select(_e1175, true, _e1173);
+                                                    let _e1173 = phi_1699_;
+                                                    let _e1175 = phi_1700_;
+                                                    let _e1177 = phi_1701_;
+                                                    phi_1709_ = _e1173;
+                                                    phi_1710_ = select(_e1177, true, _e1175);
                                                 } else {
-                                                    phi_1711_ = type_22();
-                                                    phi_1712_ = true;
+                                                    phi_1709_ = type_22();
+                                                    phi_1710_ = true;
                                                 }
-                                                let _e1178 = phi_1711_;
-                                                let _e1180 = phi_1712_;
-                                                if _e1180 {
-                                                    phi_1716_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1180 = phi_1709_;
+                                                let _e1182 = phi_1710_;
+                                                if _e1182 {
+                                                    phi_1714_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1716_ = _e1178;
+                                                    phi_1714_ = _e1180;
                                                 }
-                                                let _e1182 = phi_1716_;
-                                                if (_e1182.member_3 != 4294967295u) {
-                                                    if (_e650 != _e86) {
-                                                        if (_e1182.member < _e621.member.member) {
-                                                            phi_1742_ = true;
+                                                let _e1184 = phi_1714_;
+                                                if (_e1184.member_3 != 4294967295u) {
+                                                    if (_e651 != _e87) {
+                                                        if (_e1184.member < _e622.member.member) {
+                                                            phi_1740_ = true;
                                                         } else {
-                                                            if (_e1182.member == _e621.member.member) {
-                                                                phi_1741_ = (_e1182.member_3 < _e621.member.member_3);
+                                                            if (_e1184.member == _e622.member.member) {
+                                                                phi_1739_ = (_e1184.member_3 < _e622.member.member_3);
                                                             } else {
-                                                                phi_1741_ = false;
+                                                                phi_1739_ = false;
                                                             }
-                                                            let _e1195 = phi_1741_;
-                                                            phi_1742_ = _e1195;
+                                                            let _e1197 = phi_1739_;
+                                                            phi_1740_ = _e1197;
                                                         }
-                                                        let _e1197 = phi_1742_;
-                                                        if _e1197 {
-                                                            phi_1748_ = type_42(_e1182, _e1182.member);
+                                                        let _e1199 = phi_1740_;
+                                                        if _e1199 {
+                                                            phi_1746_ = type_42(_e1184, _e1184.member);
                                                         } else {
-                                                            phi_1748_ = _e621;
+                                                            phi_1746_ = _e622;
                                                         }
-                                                        let _e1200 = phi_1748_;
-                                                        phi_1749_ = _e1200;
+                                                        let _e1202 = phi_1746_;
+                                                        phi_1747_ = _e1202;
                                                     } else {
-                                                        phi_1749_ = _e621;
+                                                        phi_1747_ = _e622;
                                                     }
-                                                    let _e1202 = phi_1749_;
-                                                    phi_1750_ = _e1202;
+                                                    let _e1204 = phi_1747_;
+                                                    phi_1748_ = _e1204;
                                                 } else {
-                                                    phi_1750_ = _e621;
+                                                    phi_1748_ = _e622;
                                                 }
-                                                let _e1204 = phi_1750_;
-                                                phi_738_ = _e1204;
+                                                let _e1206 = phi_1748_;
+                                                phi_739_ = _e1206;
                                             } else {
-                                                phi_738_ = type_42();
+                                                phi_739_ = type_42();
                                             }
-                                            let _e1206 = phi_738_;
+                                            let _e1208 = phi_739_;
                                             continue;
                                             continuing {
-                                                phi_737_ = _e1206;
-                                                phi_740_ = _e636;
-                                                phi_2367_ = _e394;
-                                                break if !(_e642);
+                                                phi_738_ = _e1208;
+                                                phi_741_ = _e637;
+                                                phi_2365_ = _e395;
+                                                break if !(_e643);
                                             }
                                         }
-                                        let _e1209 = phi_2367_;
-                                        phi_2510_ = _e1209;
-                                        if _e1209 {
+                                        let _e1211 = phi_2365_;
+                                        phi_2508_ = _e1211;
+                                        if _e1211 {
                                             break;
                                         }
-                                        phi_2514_ = _e1209;
-                                        let _e1420 = local_3;
-                                        phi_2205_ = _e1420;
-                                        phi_2206_ = _e419;
-                                        phi_2207_ = false;
-                                        phi_2208_ = _e423;
+                                        phi_2512_ = _e1211;
+                                        let _e1424 = local_3;
+                                        phi_2203_ = _e1424;
+                                        phi_2204_ = _e420;
+                                        phi_2205_ = false;
+                                        phi_2206_ = _e424;
                                     } else {
-                                        if (_e419 >= _e67) {
-                                            phi_1810_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e420 >= _e68) {
+                                            phi_1808_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e419 < _e67) {
+                                            if (_e420 < _e68) {
                                             } else {
-                                                phi_2510_ = true;
+                                                phi_2508_ = true;
                                                 break;
                                             }
-                                            let _e433 = (_e208 % 3u);
-                                            if (_e433 < 3u) {
+                                            let _e434 = (_e209 % 3u);
+                                            if (_e434 < 3u) {
                                             } else {
-                                                phi_2510_ = true;
+                                                phi_2508_ = true;
                                                 break;
                                             }
-                                            let _e439 = global_2.member[_e419].member[_e433];
-                                            let _e445 = (_e207 % 3u);
-                                            if (_e445 < 3u) {
+                                            let _e440 = global_2.member[_e420].member[_e434];
+                                            let _e446 = (_e208 % 3u);
+                                            if (_e446 < 3u) {
                                             } else {
-                                                phi_2510_ = true;
+                                                phi_2508_ = true;
                                                 break;
                                             }
-                                            let _e451 = global_2.member[_e419].member[_e445];
-                                            let _e457 = (_e209 % 3u);
-                                            if (_e457 < 3u) {
+                                            let _e452 = global_2.member[_e420].member[_e446];
+                                            let _e458 = (_e210 % 3u);
+                                            if (_e458 < 3u) {
                                             } else {
-                                                phi_2510_ = true;
+                                                phi_2508_ = true;
                                                 break;
                                             }
-                                            let _e463 = global_2.member[_e419].member[_e457];
-                                            let _e473 = global_2.member[_e419].member_1;
-                                            let _e477 = global_2.member[_e419].member_2;
-                                            phi_1810_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e439[0], _e439[1], _e439[2], _e439[3]), vec4<f32>(_e451[0], _e451[1], _e451[2], _e451[3]), vec4<f32>(_e463[0], _e463[1], _e463[2], _e463[3])), _e473, _e477);
+                                            let _e464 = global_2.member[_e420].member[_e458];
+                                            let _e474 = global_2.member[_e420].member_1;
+                                            let _e478 = global_2.member[_e420].member_2;
+                                            phi_1808_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e440[0], _e440[1], _e440[2], _e440[3]), vec4<f32>(_e452[0], _e452[1], _e452[2], _e452[3]), vec4<f32>(_e464[0], _e464[1], _e464[2], _e464[3])), _e474, _e478);
                                         }
-                                        let _e480 = phi_1810_;
-                                        let _e492 = ((_e480.member[0].x - _e263) * _e268);
-                                        let _e493 = ((_e480.member[0].y - _e263) * _e268);
-                                        let _e494 = ((_e480.member[0].z - _e264) * _e268);
-                                        let _e495 = ((_e480.member[0].w - _e264) * _e268);
-                                        let _e505 = ((_e480.member[1].x - _e299) * _e304);
-                                        let _e506 = ((_e480.member[1].y - _e299) * _e304);
-                                        let _e507 = ((_e480.member[1].z - _e300) * _e304);
-                                        let _e508 = ((_e480.member[1].w - _e300) * _e304);
-                                        let _e518 = ((_e480.member[2].x - _e335) * _e340);
-                                        let _e519 = ((_e480.member[2].y - _e335) * _e340);
-                                        let _e520 = ((_e480.member[2].z - _e336) * _e340);
-                                        let _e521 = ((_e480.member[2].w - _e336) * _e340);
-                                        let _e523 = select(_e520, _e518, (_e518 < _e520));
-                                        let _e525 = select(_e521, _e519, (_e519 < _e521));
-                                        let _e527 = select(_e520, _e518, (_e518 > _e520));
-                                        let _e529 = select(_e521, _e519, (_e519 > _e521));
-                                        let _e531 = select(_e494, _e492, (_e492 < _e494));
-                                        let _e533 = select(_e495, _e493, (_e493 < _e495));
-                                        let _e535 = select(_e507, _e505, (_e505 < _e507));
-                                        let _e537 = select(_e508, _e506, (_e506 < _e508));
-                                        let _e539 = select(_e535, _e531, (_e531 > _e535));
-                                        let _e541 = select(_e537, _e533, (_e533 > _e537));
-                                        let _e543 = select(_e523, _e539, (_e539 > _e523));
-                                        let _e545 = select(_e525, _e541, (_e541 > _e525));
-                                        let _e547 = select(_e494, _e492, (_e492 > _e494));
-                                        let _e549 = select(_e495, _e493, (_e493 > _e495));
-                                        let _e551 = select(_e507, _e505, (_e505 > _e507));
-                                        let _e553 = select(_e508, _e506, (_e506 > _e508));
-                                        let _e555 = select(_e551, _e547, (_e547 < _e551));
-                                        let _e557 = select(_e553, _e549, (_e549 < _e553));
-                                        let _e562 = -(_e523);
-                                        let _e563 = -(_e525);
-                                        let _e570 = (select(_e527, _e555, (_e555 < _e527)) + (select(_e562, _e527, (_e527 > _e562)) * 0.0000019073523f));
-                                        let _e571 = (select(_e529, _e557, (_e557 < _e529)) + (select(_e563, _e529, (_e529 > _e563)) * 0.0000019073523f));
-                                        let _e573 = select(_e386, _e543, (_e543 > _e386));
-                                        let _e575 = select(_e386, _e545, (_e545 > _e386));
-                                        let _e580 = (_e573 <= select(_e396.member_1, _e570, (_e570 < _e396.member_1)));
-                                        let _e581 = (_e575 <= select(_e396.member_1, _e571, (_e571 < _e396.member_1)));
-                                        let _e582 = (_e573 <= _e575);
-                                        if _e580 {
+                                        let _e481 = phi_1808_;
+                                        let _e493 = ((_e481.member[0].x - _e264) * _e269);
+                                        let _e494 = ((_e481.member[0].y - _e264) * _e269);
+                                        let _e495 = ((_e481.member[0].z - _e265) * _e269);
+                                        let _e496 = ((_e481.member[0].w - _e265) * _e269);
+                                        let _e506 = ((_e481.member[1].x - _e300) * _e305);
+                                        let _e507 = ((_e481.member[1].y - _e300) * _e305);
+                                        let _e508 = ((_e481.member[1].z - _e301) * _e305);
+                                        let _e509 = ((_e481.member[1].w - _e301) * _e305);
+                                        let _e519 = ((_e481.member[2].x - _e336) * _e341);
+                                        let _e520 = ((_e481.member[2].y - _e336) * _e341);
+                                        let _e521 = ((_e481.member[2].z - _e337) * _e341);
+                                        let _e522 = ((_e481.member[2].w - _e337) * _e341);
+                                        let _e524 = select(_e521, _e519, (_e519 < _e521));
+                                        let _e526 = select(_e522, _e520, (_e520 < _e522));
+                                        let _e528 = select(_e521, _e519, (_e519 > _e521));
+                                        let _e530 = select(_e522, _e520, (_e520 > _e522));
+                                        let _e532 = select(_e495, _e493, (_e493 < _e495));
+                                        let _e534 = select(_e496, _e494, (_e494 < _e496));
+                                        let _e536 = select(_e508, _e506, (_e506 < _e508));
+                                        let _e538 = select(_e509, _e507, (_e507 < _e509));
+                                        let _e540 = select(_e536, _e532, (_e532 > _e536));
+                                        let _e542 = select(_e538, _e534, (_e534 > _e538));
+                                        let _e544 = select(_e524, _e540, (_e540 > _e524));
+                                        let _e546 = select(_e526, _e542, (_e542 > _e526));
+                                        let _e548 = select(_e495, _e493, (_e493 > _e495));
+                                        let _e550 = select(_e496, _e494, (_e494 > _e496));
+                                        let _e552 = select(_e508, _e506, (_e506 > _e508));
+                                        let _e554 = select(_e509, _e507, (_e507 > _e509));
+                                        let _e556 = select(_e552, _e548, (_e548 < _e552));
+                                        let _e558 = select(_e554, _e550, (_e550 < _e554));
+                                        let _e563 = -(_e524);
+                                        let _e564 = -(_e526);
+                                        let _e571 = (select(_e528, _e556, (_e556 < _e528)) + (select(_e563, _e528, (_e528 > _e563)) * 0.0000019073523f));
+                                        let _e572 = (select(_e530, _e558, (_e558 < _e530)) + (select(_e564, _e530, (_e530 > _e564)) * 0.0000019073523f));
+                                        let _e574 = select(_e387, _e544, (_e544 > _e387));
+                                        let _e576 = select(_e387, _e546, (_e546 > _e387));
+                                        let _e581 = (_e574 <= select(_e397.member_1, _e571, (_e571 < _e397.member_1)));
+                                        let _e582 = (_e576 <= select(_e397.member_1, _e572, (_e572 < _e397.member_1)));
+                                        let _e583 = (_e574 <= _e576);
+                                        if _e581 {
+                                            if _e582 {
+                                                if _e583 {
+                                                    phi_2152_ = _e481.member_2;
+                                                } else {
+                                                    phi_2152_ = _e481.member_1;
+                                                }
+                                                let _e587 = phi_2152_;
+                                                let _e590 = (_e424 % 128u);
+                                                let _e591 = (_e590 < 128u);
+                                                if _e591 {
+                                                } else {
+                                                    phi_2508_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e590] = _e587;
+                                                if _e591 {
+                                                } else {
+                                                    phi_2508_ = true;
+                                                    break;
+                                                }
+                                                local[_e590] = select(_e576, _e574, (_e574 > _e576));
+                                                if _e583 {
+                                                    phi_2180_ = _e481.member_1;
+                                                } else {
+                                                    phi_2180_ = _e481.member_2;
+                                                }
+                                                let _e598 = phi_2180_;
+                                                phi_2181_ = _e598;
+                                                phi_2182_ = (_e424 + 1u);
+                                            } else {
+                                                phi_2181_ = u32();
+                                                phi_2182_ = u32();
+                                            }
+                                            let _e600 = phi_2181_;
+                                            let _e602 = phi_2182_;
+                                            phi_2184_ = _e600;
+                                            phi_2185_ = _e602;
+                                            phi_2186_ = select(true, false, _e582);
+                                        } else {
+                                            phi_2184_ = u32();
+                                            phi_2185_ = u32();
+                                            phi_2186_ = true;
+                                        }
+                                        let _e605 = phi_2184_;
+                                        let _e607 = phi_2185_;
+                                        let _e609 = phi_2186_;
+                                        if _e609 {
                                             if _e581 {
-                                                if _e582 {
-                                                    phi_2154_ = _e480.member_2;
-                                                } else {
-                                                    phi_2154_ = _e480.member_1;
-                                                }
-                                                let _e586 = phi_2154_;
-                                                let _e589 = (_e423 % 128u);
-                                                let _e590 = (_e589 < 128u);
-                                                if _e590 {
-                                                } else {
-                                                    phi_2510_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e589] = _e586;
-                                                if _e590 {
-                                                } else {
-                                                    phi_2510_ = true;
-                                                    break;
-                                                }
-                                                local[_e589] = select(_e575, _e573, (_e573 > _e575));
-                                                if _e582 {
-                                                    phi_2182_ = _e480.member_1;
-                                                } else {
-                                                    phi_2182_ = _e480.member_2;
-                                                }
-                                                let _e597 = phi_2182_;
-                                                phi_2183_ = _e597;
-                                                phi_2184_ = (_e423 + 1u);
+                                                phi_2195_ = _e481.member_1;
                                             } else {
-                                                phi_2183_ = u32();
-                                                phi_2184_ = u32();
+                                                phi_2195_ = _e481.member_2;
                                             }
-                                            let _e599 = phi_2183_;
-                                            let _e601 = phi_2184_;
-                                            phi_2186_ = _e599;
-                                            phi_2187_ = _e601;
-                                            phi_2188_ = select(true, false, _e581);
+                                            let _e613 = phi_2195_;
+                                            phi_2200_ = _e613;
+                                            phi_2201_ = select(_e582, true, _e581);
                                         } else {
-                                            phi_2186_ = u32();
-                                            phi_2187_ = u32();
-                                            phi_2188_ = true;
+                                            phi_2200_ = _e605;
+                                            phi_2201_ = _e422;
                                         }
-                                        let _e604 = phi_2186_;
-                                        let _e606 = phi_2187_;
-                                        let _e608 = phi_2188_;
-                                        if _e608 {
-                                            if _e580 {
-                                                phi_2197_ = _e480.member_1;
-                                            } else {
-                                                phi_2197_ = _e480.member_2;
-                                            }
-                                            let _e612 = phi_2197_;
-                                            phi_2202_ = _e612;
-                                            phi_2203_ = select(_e581, true, _e580);
-                                        } else {
-                                            phi_2202_ = _e604;
-                                            phi_2203_ = _e421;
-                                        }
-                                        let _e615 = phi_2202_;
-                                        let _e617 = phi_2203_;
-                                        phi_2514_ = _e394;
-                                        phi_2205_ = _e396;
-                                        phi_2206_ = _e615;
-                                        phi_2207_ = _e617;
-                                        phi_2208_ = select(_e606, _e423, _e608);
+                                        let _e616 = phi_2200_;
+                                        let _e618 = phi_2201_;
+                                        phi_2512_ = _e395;
+                                        phi_2203_ = _e397;
+                                        phi_2204_ = _e616;
+                                        phi_2205_ = _e618;
+                                        phi_2206_ = select(_e607, _e424, _e609);
                                     }
-                                    let _e1211 = phi_2514_;
-                                    let _e1213 = phi_2205_;
-                                    let _e1215 = phi_2206_;
-                                    let _e1217 = phi_2207_;
-                                    let _e1219 = phi_2208_;
-                                    phi_2513_ = _e1211;
-                                    phi_2209_ = _e1213;
-                                    phi_2210_ = _e1215;
-                                    phi_2211_ = (_e400 - 1u);
-                                    phi_2212_ = _e1217;
-                                    phi_2213_ = _e1219;
+                                    let _e1213 = phi_2512_;
+                                    let _e1215 = phi_2203_;
+                                    let _e1217 = phi_2204_;
+                                    let _e1219 = phi_2205_;
+                                    let _e1221 = phi_2206_;
+                                    phi_2511_ = _e1213;
+                                    phi_2207_ = _e1215;
+                                    phi_2208_ = _e1217;
+                                    phi_2209_ = (_e401 - 1u);
+                                    phi_2210_ = _e1219;
+                                    phi_2211_ = _e1221;
                                 } else {
-                                    phi_2513_ = _e394;
-                                    phi_2209_ = _e396;
-                                    phi_2210_ = _e419;
-                                    phi_2211_ = _e400;
-                                    phi_2212_ = _e421;
-                                    phi_2213_ = _e423;
+                                    phi_2511_ = _e395;
+                                    phi_2207_ = _e397;
+                                    phi_2208_ = _e420;
+                                    phi_2209_ = _e401;
+                                    phi_2210_ = _e422;
+                                    phi_2211_ = _e424;
                                 }
-                                let _e1221 = phi_2513_;
-                                let _e1223 = phi_2209_;
-                                let _e1225 = phi_2210_;
-                                let _e1227 = phi_2211_;
-                                let _e1229 = phi_2212_;
-                                let _e1231 = phi_2213_;
-                                phi_2512_ = _e1221;
-                                phi_2214_ = _e1223;
-                                phi_2215_ = _e1225;
-                                phi_2216_ = _e1227;
-                                phi_2217_ = _e1229;
-                                phi_2218_ = _e1231;
+                                let _e1223 = phi_2511_;
+                                let _e1225 = phi_2207_;
+                                let _e1227 = phi_2208_;
+                                let _e1229 = phi_2209_;
+                                let _e1231 = phi_2210_;
+                                let _e1233 = phi_2211_;
+                                phi_2510_ = _e1223;
+                                phi_2212_ = _e1225;
+                                phi_2213_ = _e1227;
+                                phi_2214_ = _e1229;
+                                phi_2215_ = _e1231;
+                                phi_2216_ = _e1233;
                             } else {
-                                phi_2512_ = _e394;
-                                phi_2214_ = type_42();
-                                phi_2215_ = u32();
+                                phi_2510_ = _e395;
+                                phi_2212_ = type_42();
+                                phi_2213_ = u32();
+                                phi_2214_ = u32();
+                                phi_2215_ = bool();
                                 phi_2216_ = u32();
-                                phi_2217_ = bool();
-                                phi_2218_ = u32();
                             }
-                            let _e1233 = phi_2512_;
-                            let _e1235 = phi_2214_;
-                            let _e1237 = phi_2215_;
-                            let _e1239 = phi_2216_;
-                            let _e1241 = phi_2217_;
-                            let _e1243 = phi_2218_;
-                            phi_2511_ = _e1233;
-                            phi_669_ = _e1235;
-                            phi_672_ = _e1237;
-                            phi_674_ = _e1239;
-                            phi_676_ = _e1241;
-                            phi_678_ = _e1243;
-                            phi_2219_ = _e408;
+                            let _e1235 = phi_2510_;
+                            let _e1237 = phi_2212_;
+                            let _e1239 = phi_2213_;
+                            let _e1241 = phi_2214_;
+                            let _e1243 = phi_2215_;
+                            let _e1245 = phi_2216_;
+                            phi_2509_ = _e1235;
+                            phi_670_ = _e1237;
+                            phi_673_ = _e1239;
+                            phi_675_ = _e1241;
+                            phi_677_ = _e1243;
+                            phi_679_ = _e1245;
+                            phi_2217_ = _e409;
                         } else {
-                            phi_2511_ = _e394;
-                            phi_669_ = type_42();
-                            phi_672_ = u32();
-                            phi_674_ = u32();
-                            phi_676_ = bool();
-                            phi_678_ = u32();
-                            phi_2219_ = false;
+                            phi_2509_ = _e395;
+                            phi_670_ = type_42();
+                            phi_673_ = u32();
+                            phi_675_ = u32();
+                            phi_677_ = bool();
+                            phi_679_ = u32();
+                            phi_2217_ = false;
                         }
-                        let _e1245 = phi_2511_;
-                        let _e1247 = phi_669_;
-                        let _e1249 = phi_672_;
-                        let _e1251 = phi_674_;
-                        let _e1253 = phi_676_;
-                        let _e1255 = phi_678_;
-                        let _e1257 = phi_2219_;
+                        let _e1247 = phi_2509_;
+                        let _e1249 = phi_670_;
+                        let _e1251 = phi_673_;
+                        let _e1253 = phi_675_;
+                        let _e1255 = phi_677_;
+                        let _e1257 = phi_679_;
+                        let _e1259 = phi_2217_;
                         continue;
                         continuing {
-                            phi_2373_ = _e1245;
-                            phi_668_ = _e1247;
-                            phi_671_ = _e1249;
-                            phi_673_ = _e1251;
-                            phi_675_ = _e1253;
-                            phi_677_ = _e1255;
-                            phi_2510_ = _e1245;
-                            break if !(_e1257);
+                            phi_2371_ = _e1247;
+                            phi_669_ = _e1249;
+                            phi_672_ = _e1251;
+                            phi_674_ = _e1253;
+                            phi_676_ = _e1255;
+                            phi_678_ = _e1257;
+                            phi_2508_ = _e1247;
+                            break if !(_e1259);
                         }
                     }
-                    let _e1260 = phi_2510_;
-                    if _e1260 {
+                    let _e1262 = phi_2508_;
+                    if _e1262 {
                         break;
                     }
-                    let _e1262 = local_2;
-                    if (_e1262.member.member_3 != 4294967295u) {
-                        let _e1267 = (_e210 / 3i);
-                        let _e1274 = bitcast<f32>((bitcast<u32>((_e1267 + 127i)) << bitcast<u32>(23i)));
-                        let _e1282 = (((_e1262.member.member * _e1274) * _e1274) * bitcast<f32>((bitcast<u32>(((_e210 - (2i * _e1267)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1284 = select(340282350000000000000000000000000000000f, _e1282, (_e1282 < 340282350000000000000000000000000000000f));
-                        phi_2271_ = type_22(select(-340282350000000000000000000000000000000f, _e1284, (_e1284 > -340282350000000000000000000000000000000f)), _e1262.member.member_1, _e1262.member.member_2, _e1262.member.member_3);
+                    let _e1264 = local_2;
+                    if (_e1264.member.member_3 != 4294967295u) {
+                        let _e1269 = (_e211 / 3i);
+                        let _e1276 = bitcast<f32>((bitcast<u32>((_e1269 + 127i)) << bitcast<u32>(23i)));
+                        let _e1284 = (((_e1264.member.member * _e1276) * _e1276) * bitcast<f32>((bitcast<u32>(((_e211 - (2i * _e1269)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1286 = select(340282350000000000000000000000000000000f, _e1284, (_e1284 < 340282350000000000000000000000000000000f));
+                        phi_2269_ = type_22(select(-340282350000000000000000000000000000000f, _e1286, (_e1286 > -340282350000000000000000000000000000000f)), _e1264.member.member_1, _e1264.member.member_2, _e1264.member.member_3);
                     } else {
-                        phi_2271_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2269_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1291 = phi_2271_;
-                    if _e87 {
-                    } else {
-                        break;
-                    }
-                    global_4.member[_e79] = _e1291;
-                    if _e80 {
+                    let _e1293 = phi_2269_;
+                    if _e88 {
                     } else {
                         break;
                     }
-                    let _e1295 = select(0u, 1u, (_e154 <= _e164));
-                    if (_e1295 > 0u) {
-                        let _e1297 = (1u < _e75);
-                        if _e1297 {
-                            if (0u < _e75) {
+                    global_4.member[_e80] = _e1293;
+                    if _e81 {
+                    } else {
+                        break;
+                    }
+                    let _e1297 = select(0u, 1u, (_e155 <= _e165));
+                    if (_e1297 > 0u) {
+                        let _e1299 = (1u < _e76);
+                        if _e1299 {
+                            if (0u < _e76) {
                             } else {
                                 break;
                             }
-                            let _e1301 = atomicAdd((&global_5.member[0u]), _e1295);
-                            if ((_e1301 + _e1295) < _e1301) {
-                                if _e1297 {
+                            let _e1303 = atomicAdd((&global_5.member[0u]), _e1297);
+                            if ((_e1303 + _e1297) < _e1303) {
+                                if _e1299 {
                                 } else {
                                     break;
                                 }
-                                let _e1306 = atomicAdd((&global_5.member[1u]), 1u);
+                                let _e1308 = atomicAdd((&global_5.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1309 = select(0u, 1u, (_e1291.member_3 != 4294967295u));
-                    if (_e1309 > 0u) {
-                        let _e1311 = (3u < _e75);
-                        if _e1311 {
-                            if (2u < _e75) {
+                    let _e1311 = select(0u, 1u, (_e1293.member_3 != 4294967295u));
+                    if (_e1311 > 0u) {
+                        let _e1313 = (3u < _e76);
+                        if _e1313 {
+                            if (2u < _e76) {
                             } else {
                                 break;
                             }
-                            let _e1315 = atomicAdd((&global_5.member[2u]), _e1309);
-                            if ((_e1315 + _e1309) < _e1315) {
-                                if _e1311 {
+                            let _e1317 = atomicAdd((&global_5.member[2u]), _e1311);
+                            if ((_e1317 + _e1311) < _e1317) {
+                                if _e1313 {
                                 } else {
                                     break;
                                 }
-                                let _e1320 = atomicAdd((&global_5.member[3u]), 1u);
+                                let _e1322 = atomicAdd((&global_5.member[3u]), 1u);
                             }
                         }
                     }

@@ -103,430 +103,432 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_402_: i32;
     var phi_403_: i32;
-    var phi_413_: bool;
-    var phi_423_: u32;
+    var phi_404_: i32;
+    var phi_414_: bool;
     var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_463_: i32;
-    var phi_481_: f32;
-    var phi_487_: f32;
-    var phi_498_: f32;
-    var phi_504_: f32;
-    var phi_527_: f32;
-    var phi_538_: f32;
-    var phi_547_: f32;
-    var phi_553_: f32;
-    var phi_564_: f32;
-    var phi_570_: f32;
-    var phi_593_: f32;
-    var phi_604_: f32;
-    var phi_613_: f32;
-    var phi_619_: f32;
-    var phi_630_: f32;
-    var phi_636_: f32;
-    var phi_659_: f32;
-    var phi_670_: f32;
-    var phi_770_: f32;
+    var phi_425_: u32;
+    var phi_427_: bool;
+    var phi_432_: u32;
+    var phi_464_: i32;
+    var phi_482_: f32;
+    var phi_488_: f32;
+    var phi_499_: f32;
+    var phi_505_: f32;
+    var phi_528_: f32;
+    var phi_539_: f32;
+    var phi_548_: f32;
+    var phi_554_: f32;
+    var phi_565_: f32;
+    var phi_571_: f32;
+    var phi_594_: f32;
+    var phi_605_: f32;
+    var phi_614_: f32;
+    var phi_620_: f32;
+    var phi_631_: f32;
+    var phi_637_: f32;
+    var phi_660_: f32;
+    var phi_671_: f32;
     var phi_771_: f32;
-    var phi_4222_: bool;
-    var phi_869_: type_42;
-    var phi_872_: type_49;
-    var phi_874_: u32;
-    var phi_876_: bool;
-    var phi_878_: u32;
-    var phi_889_: bool;
-    var phi_975_: type_49;
-    var phi_976_: bool;
-    var phi_977_: u32;
-    var phi_3096_: u32;
-    var phi_3102_: u32;
-    var phi_3356_: u32;
-    var phi_3357_: u32;
-    var phi_3367_: u32;
-    var phi_3369_: u32;
-    var phi_3370_: bool;
-    var phi_3390_: u32;
-    var phi_3391_: u32;
-    var phi_3395_: type_50;
-    var phi_3739_: type_49;
-    var phi_3816_: type_49;
-    var phi_3817_: type_49;
-    var phi_3818_: u32;
-    var phi_3820_: type_49;
-    var phi_3821_: u32;
-    var phi_3822_: bool;
-    var phi_3831_: type_49;
-    var phi_3836_: type_49;
-    var phi_3837_: bool;
-    var phi_996_: type_42;
-    var phi_999_: type_8;
-    var phi_1000_: type_8;
-    var phi_1022_: type_8;
-    var phi_1066_: u32;
-    var phi_1072_: u32;
-    var phi_1082_: u32;
-    var phi_1098_: u32;
-    var phi_1131_: u32;
-    var phi_1137_: u32;
-    var phi_1564_: u32;
-    var phi_1582_: u32;
-    var phi_1600_: u32;
-    var phi_1620_: u32;
-    var phi_1638_: u32;
-    var phi_1656_: u32;
-    var phi_1676_: u32;
-    var phi_1694_: u32;
-    var phi_1712_: u32;
-    var phi_1290_: u32;
-    var phi_1305_: u32;
-    var phi_1315_: u32;
-    var phi_1335_: u32;
-    var phi_1355_: u32;
-    var phi_1381_: u32;
-    var phi_1396_: u32;
-    var phi_1406_: u32;
-    var phi_1426_: u32;
-    var phi_1446_: u32;
-    var phi_1472_: u32;
-    var phi_1487_: u32;
-    var phi_1497_: u32;
-    var phi_1517_: u32;
-    var phi_1537_: u32;
-    var phi_1161_: u32;
-    var phi_1204_: u32;
-    var phi_1247_: u32;
-    var phi_1718_: array<array<f32, 3>, 3>;
-    var phi_1835_: bool;
-    var phi_1864_: bool;
-    var phi_2265_: f32;
-    var phi_2266_: f32;
-    var phi_2267_: f32;
-    var phi_2268_: f32;
-    var phi_2269_: vec3<f32>;
-    var phi_2270_: vec3<f32>;
-    var phi_2271_: vec3<f32>;
-    var phi_2272_: vec3<f32>;
-    var phi_2303_: bool;
-    var phi_2312_: vec3<f32>;
-    var phi_2479_: bool;
-    var phi_2503_: f32;
-    var phi_2504_: f32;
-    var phi_2527_: type_22;
-    var phi_2529_: type_22;
-    var phi_2530_: bool;
-    var phi_2534_: type_22;
-    var phi_2535_: type_22;
-    var phi_2536_: type_22;
-    var phi_2537_: bool;
-    var phi_2541_: type_22;
-    var phi_2542_: bool;
-    var phi_2543_: type_22;
-    var phi_2544_: bool;
-    var phi_2545_: bool;
-    var phi_2546_: type_22;
-    var phi_2547_: bool;
-    var phi_2548_: bool;
-    var phi_2556_: type_22;
-    var phi_2557_: bool;
-    var phi_2561_: type_22;
-    var phi_2586_: bool;
-    var phi_2587_: bool;
-    var phi_2594_: type_42;
-    var phi_2595_: type_42;
-    var phi_2596_: type_42;
-    var phi_997_: type_42;
-    var phi_4216_: bool;
-    var phi_4409_: bool;
-    var phi_3839_: type_42;
-    var phi_3840_: type_49;
-    var phi_3841_: bool;
-    var phi_3842_: u32;
-    var phi_4408_: bool;
-    var phi_3843_: type_42;
-    var phi_3844_: type_49;
-    var phi_3845_: u32;
-    var phi_3846_: bool;
-    var phi_3847_: u32;
-    var phi_4407_: bool;
-    var phi_3848_: type_42;
-    var phi_3849_: type_49;
-    var phi_3850_: u32;
-    var phi_3851_: bool;
-    var phi_3852_: u32;
-    var phi_4406_: bool;
+    var phi_772_: f32;
+    var phi_4220_: bool;
     var phi_870_: type_42;
     var phi_873_: type_49;
     var phi_875_: u32;
     var phi_877_: bool;
     var phi_879_: u32;
-    var phi_3853_: bool;
+    var phi_890_: bool;
+    var phi_976_: type_49;
+    var phi_977_: bool;
+    var phi_978_: u32;
+    var phi_3094_: u32;
+    var phi_3100_: u32;
+    var phi_3354_: u32;
+    var phi_3355_: u32;
+    var phi_3365_: u32;
+    var phi_3367_: u32;
+    var phi_3368_: bool;
+    var phi_3388_: u32;
+    var phi_3389_: u32;
+    var phi_3393_: type_50;
+    var phi_3737_: type_49;
+    var phi_3814_: type_49;
+    var phi_3815_: type_49;
+    var phi_3816_: u32;
+    var phi_3818_: type_49;
+    var phi_3819_: u32;
+    var phi_3820_: bool;
+    var phi_3829_: type_49;
+    var phi_3834_: type_49;
+    var phi_3835_: bool;
+    var phi_997_: type_42;
+    var phi_1000_: type_8;
+    var phi_1001_: type_8;
+    var phi_1023_: type_8;
+    var phi_1067_: u32;
+    var phi_1073_: u32;
+    var phi_1083_: u32;
+    var phi_1099_: u32;
+    var phi_1132_: u32;
+    var phi_1138_: u32;
+    var phi_1565_: u32;
+    var phi_1583_: u32;
+    var phi_1601_: u32;
+    var phi_1621_: u32;
+    var phi_1639_: u32;
+    var phi_1657_: u32;
+    var phi_1677_: u32;
+    var phi_1695_: u32;
+    var phi_1713_: u32;
+    var phi_1291_: u32;
+    var phi_1306_: u32;
+    var phi_1316_: u32;
+    var phi_1336_: u32;
+    var phi_1356_: u32;
+    var phi_1382_: u32;
+    var phi_1397_: u32;
+    var phi_1407_: u32;
+    var phi_1427_: u32;
+    var phi_1447_: u32;
+    var phi_1473_: u32;
+    var phi_1488_: u32;
+    var phi_1498_: u32;
+    var phi_1518_: u32;
+    var phi_1538_: u32;
+    var phi_1162_: u32;
+    var phi_1205_: u32;
+    var phi_1248_: u32;
+    var phi_1719_: array<array<f32, 3>, 3>;
+    var phi_1836_: bool;
+    var phi_1865_: bool;
+    var phi_2266_: f32;
+    var phi_2267_: f32;
+    var phi_2268_: f32;
+    var phi_2269_: f32;
+    var phi_2270_: vec3<f32>;
+    var phi_2271_: vec3<f32>;
+    var phi_2272_: vec3<f32>;
+    var phi_2273_: vec3<f32>;
+    var phi_2304_: bool;
+    var phi_2313_: vec3<f32>;
+    var phi_2478_: f32;
+    var phi_2480_: f32;
+    var phi_2481_: bool;
+    var phi_2501_: f32;
+    var phi_2502_: f32;
+    var phi_2525_: type_22;
+    var phi_2527_: type_22;
+    var phi_2528_: bool;
+    var phi_2532_: type_22;
+    var phi_2533_: type_22;
+    var phi_2534_: type_22;
+    var phi_2535_: bool;
+    var phi_2539_: type_22;
+    var phi_2540_: bool;
+    var phi_2541_: type_22;
+    var phi_2542_: bool;
+    var phi_2543_: bool;
+    var phi_2544_: type_22;
+    var phi_2545_: bool;
+    var phi_2546_: bool;
+    var phi_2554_: type_22;
+    var phi_2555_: bool;
+    var phi_2559_: type_22;
+    var phi_2584_: bool;
+    var phi_2585_: bool;
+    var phi_2592_: type_42;
+    var phi_2593_: type_42;
+    var phi_2594_: type_42;
+    var phi_998_: type_42;
+    var phi_4214_: bool;
+    var phi_4407_: bool;
+    var phi_3837_: type_42;
+    var phi_3838_: type_49;
+    var phi_3839_: bool;
+    var phi_3840_: u32;
+    var phi_4406_: bool;
+    var phi_3841_: type_42;
+    var phi_3842_: type_49;
+    var phi_3843_: u32;
+    var phi_3844_: bool;
+    var phi_3845_: u32;
     var phi_4405_: bool;
+    var phi_3846_: type_42;
+    var phi_3847_: type_49;
+    var phi_3848_: u32;
+    var phi_3849_: bool;
+    var phi_3850_: u32;
+    var phi_4404_: bool;
+    var phi_871_: type_42;
+    var phi_874_: type_49;
+    var phi_876_: u32;
+    var phi_878_: bool;
+    var phi_880_: u32;
+    var phi_3851_: bool;
+    var phi_4403_: bool;
     var local_10: type_42;
-    var phi_3905_: type_22;
+    var phi_3903_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e91 = global;
-            let _e93 = arrayLength((&global_3.member));
-            let _e96 = arrayLength((&global_7.member));
-            let _e104 = arrayLength((&global_6.member));
-            let _e108 = global_2.member[0u][0u];
-            let _e112 = global_2.member[0u][1u];
-            let _e116 = global_2.member[0u][2u];
-            let _e120 = global_2.member[0u][3u];
-            let _e124 = global_2.member[1u][0u];
-            let _e128 = global_2.member[1u][1u];
-            let _e132 = global_2.member[1u][2u];
-            let _e136 = (_e91.x + (_e91.y * 2097152u));
-            let _e148 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e120) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e108), bitcast<i32>(_e112), bitcast<i32>(_e116));
-            local = array<i32, 3>(bitcast<i32>(_e124), bitcast<i32>(_e128), bitcast<i32>(_e132));
-            let _e151 = (_e136 < arrayLength((&global_4.member)));
-            if _e151 {
-                let _e152 = (_e136 < arrayLength((&global_1.member)));
-                if _e152 {
-                    let _e153 = (_e136 < arrayLength((&global_5.member)));
-                    if _e153 {
-                        if _e151 {
+            let _e92 = global;
+            let _e94 = arrayLength((&global_3.member));
+            let _e97 = arrayLength((&global_7.member));
+            let _e105 = arrayLength((&global_6.member));
+            let _e109 = global_2.member[0u][0u];
+            let _e113 = global_2.member[0u][1u];
+            let _e117 = global_2.member[0u][2u];
+            let _e121 = global_2.member[0u][3u];
+            let _e125 = global_2.member[1u][0u];
+            let _e129 = global_2.member[1u][1u];
+            let _e133 = global_2.member[1u][2u];
+            let _e137 = (_e92.x + (_e92.y * 2097152u));
+            let _e149 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e121) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
+            local = array<i32, 3>(bitcast<i32>(_e125), bitcast<i32>(_e129), bitcast<i32>(_e133));
+            let _e152 = (_e137 < arrayLength((&global_4.member)));
+            if _e152 {
+                let _e153 = (_e137 < arrayLength((&global_1.member)));
+                if _e153 {
+                    let _e154 = (_e137 < arrayLength((&global_5.member)));
+                    if _e154 {
+                        if _e152 {
                         } else {
                             break;
                         }
-                        let _e163 = global_4.member[_e136].member.member_2[0u];
-                        let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                        let _e171 = global_4.member[_e136].member.member_2[1u];
-                        let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                        let _e179 = global_4.member[_e136].member.member_2[2u];
-                        let _e181 = (bitcast<u32>(_e179) & 2147483647u);
-                        let _e187 = global_4.member[_e136].member.member[0u];
-                        let _e189 = (bitcast<u32>(_e187) & 2147483647u);
-                        let _e195 = global_4.member[_e136].member.member[1u];
-                        let _e197 = (bitcast<u32>(_e195) & 2147483647u);
-                        let _e203 = global_4.member[_e136].member.member[2u];
-                        let _e205 = (bitcast<u32>(_e203) & 2147483647u);
-                        let _e207 = select(_e173, _e165, (_e173 < _e165));
-                        let _e209 = select(_e181, _e207, (_e181 < _e207));
-                        let _e211 = select(_e189, _e209, (_e189 < _e209));
-                        let _e213 = select(_e197, _e211, (_e197 < _e211));
-                        let _e215 = select(_e205, _e213, (_e205 < _e213));
-                        let _e220 = global_4.member[_e136].member.member_1;
-                        let _e222 = (bitcast<u32>(_e220) & 2147483647u);
-                        let _e230 = global_4.member[_e136].member.member_3;
-                        let _e236 = (((select(_e222, _e215, (_e222 < _e215)) < 2139095040u) && ((bitcast<u32>(_e230) & 2147483647u) <= 2139095040u)) && (_e209 > 0u));
-                        if _e236 {
-                            let _e239 = (bitcast<u32>(bitcast<f32>(_e209)) & 2147483647u);
-                            if (_e239 >= 8388608u) {
-                                phi_402_ = (bitcast<i32>((_e239 >> bitcast<u32>(23i))) - 127i);
+                        let _e164 = global_4.member[_e137].member.member_2[0u];
+                        let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                        let _e172 = global_4.member[_e137].member.member_2[1u];
+                        let _e174 = (bitcast<u32>(_e172) & 2147483647u);
+                        let _e180 = global_4.member[_e137].member.member_2[2u];
+                        let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                        let _e188 = global_4.member[_e137].member.member[0u];
+                        let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                        let _e196 = global_4.member[_e137].member.member[1u];
+                        let _e198 = (bitcast<u32>(_e196) & 2147483647u);
+                        let _e204 = global_4.member[_e137].member.member[2u];
+                        let _e206 = (bitcast<u32>(_e204) & 2147483647u);
+                        let _e208 = select(_e174, _e166, (_e174 < _e166));
+                        let _e210 = select(_e182, _e208, (_e182 < _e208));
+                        let _e212 = select(_e190, _e210, (_e190 < _e210));
+                        let _e214 = select(_e198, _e212, (_e198 < _e212));
+                        let _e216 = select(_e206, _e214, (_e206 < _e214));
+                        let _e221 = global_4.member[_e137].member.member_1;
+                        let _e223 = (bitcast<u32>(_e221) & 2147483647u);
+                        let _e231 = global_4.member[_e137].member.member_3;
+                        let _e237 = (((select(_e223, _e216, (_e223 < _e216)) < 2139095040u) && ((bitcast<u32>(_e231) & 2147483647u) <= 2139095040u)) && (_e210 > 0u));
+                        if _e237 {
+                            let _e240 = (bitcast<u32>(bitcast<f32>(_e210)) & 2147483647u);
+                            if (_e240 >= 8388608u) {
+                                phi_403_ = (bitcast<i32>((_e240 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e239)), 32u, (_e239 == 0u))));
+                                phi_403_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e240)), 32u, (_e240 == 0u))));
                             }
-                            let _e253 = phi_402_;
-                            phi_403_ = _e253;
+                            let _e254 = phi_403_;
+                            phi_404_ = _e254;
                         } else {
-                            phi_403_ = 0i;
+                            phi_404_ = 0i;
                         }
-                        let _e255 = phi_403_;
-                        let _e256 = (_e165 == _e209);
-                        if _e256 {
-                            phi_413_ = true;
+                        let _e256 = phi_404_;
+                        let _e257 = (_e166 == _e210);
+                        if _e257 {
+                            phi_414_ = true;
                         } else {
-                            phi_413_ = (_e173 == _e209);
+                            phi_414_ = (_e174 == _e210);
                         }
-                        let _e259 = phi_413_;
-                        let _e260 = select(1u, 0u, _e256);
-                        if _e259 {
-                            let _e261 = (_e260 + 1u);
-                            phi_423_ = _e261;
-                            phi_424_ = _e261;
-                            phi_426_ = select(true, false, (_e261 == 2u));
+                        let _e260 = phi_414_;
+                        let _e261 = select(1u, 0u, _e257);
+                        if _e260 {
+                            let _e262 = (_e261 + 1u);
+                            phi_424_ = _e262;
+                            phi_425_ = _e262;
+                            phi_427_ = select(true, false, (_e262 == 2u));
                         } else {
-                            phi_423_ = u32();
-                            phi_424_ = 0u;
-                            phi_426_ = true;
+                            phi_424_ = u32();
+                            phi_425_ = 0u;
+                            phi_427_ = true;
                         }
-                        let _e265 = phi_423_;
-                        let _e267 = phi_424_;
-                        let _e269 = phi_426_;
-                        if _e269 {
-                            phi_431_ = (_e267 + 1u);
+                        let _e266 = phi_424_;
+                        let _e268 = phi_425_;
+                        let _e270 = phi_427_;
+                        if _e270 {
+                            phi_432_ = (_e268 + 1u);
                         } else {
-                            phi_431_ = 0u;
+                            phi_432_ = 0u;
                         }
-                        let _e273 = phi_431_;
-                        let _e274 = select(_e265, _e267, _e269);
-                        let _e275 = select(_e260, select(2u, _e260, _e259), _e269);
-                        let _e276 = -(_e255);
-                        if (_e276 < -126i) {
-                            phi_463_ = -126i;
+                        let _e274 = phi_432_;
+                        let _e275 = select(_e266, _e268, _e270);
+                        let _e276 = select(_e261, select(2u, _e261, _e260), _e270);
+                        let _e277 = -(_e256);
+                        if (_e277 < -126i) {
+                            phi_464_ = -126i;
                         } else {
-                            phi_463_ = select(_e276, 127i, (_e276 > 127i));
+                            phi_464_ = select(_e277, 127i, (_e277 > 127i));
                         }
-                        let _e281 = phi_463_;
-                        let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
-                        let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
-                        let _e297 = global_4.member[_e136].member.member;
-                        let _e298 = (_e274 == 0u);
-                        if _e298 {
-                            phi_481_ = _e297[0];
+                        let _e282 = phi_464_;
+                        let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
+                        let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
+                        let _e298 = global_4.member[_e137].member.member;
+                        let _e299 = (_e275 == 0u);
+                        if _e299 {
+                            phi_482_ = _e298[0];
                         } else {
-                            phi_481_ = _e297[1];
+                            phi_482_ = _e298[1];
                         }
-                        let _e302 = phi_481_;
-                        let _e303 = (_e274 == 2u);
-                        if _e303 {
-                            phi_487_ = _e297[2];
+                        let _e303 = phi_482_;
+                        let _e304 = (_e275 == 2u);
+                        if _e304 {
+                            phi_488_ = _e298[2];
                         } else {
-                            phi_487_ = _e302;
+                            phi_488_ = _e303;
                         }
-                        let _e306 = phi_487_;
-                        let _e307 = global_4.member[_e136].member.member_2;
-                        if _e298 {
-                            phi_498_ = _e307[0];
+                        let _e307 = phi_488_;
+                        let _e308 = global_4.member[_e137].member.member_2;
+                        if _e299 {
+                            phi_499_ = _e308[0];
                         } else {
-                            phi_498_ = _e307[1];
+                            phi_499_ = _e308[1];
                         }
-                        let _e311 = phi_498_;
-                        if _e303 {
-                            phi_504_ = _e307[2];
+                        let _e312 = phi_499_;
+                        if _e304 {
+                            phi_505_ = _e308[2];
                         } else {
-                            phi_504_ = _e311;
+                            phi_505_ = _e312;
                         }
-                        let _e314 = phi_504_;
-                        let _e316 = ((_e314 * _e286) * _e292);
-                        let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e320 {
-                            let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                            phi_527_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                        let _e315 = phi_505_;
+                        let _e317 = ((_e315 * _e287) * _e293);
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e321 {
+                            let _e325 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) * 0.00000011920929f);
+                            phi_528_ = select(0.00000000000011368684f, _e325, (_e325 > 0.00000000000011368684f));
                         } else {
-                            phi_527_ = 0f;
+                            phi_528_ = 0f;
                         }
-                        let _e328 = phi_527_;
-                        let _e329 = (_e306 + _e328);
-                        let _e330 = (_e306 - _e328);
-                        let _e331 = select(_e316, 0f, _e320);
-                        if _e320 {
-                            phi_538_ = 38685626000000000000000000f;
+                        let _e329 = phi_528_;
+                        let _e330 = (_e307 + _e329);
+                        let _e331 = (_e307 - _e329);
+                        let _e332 = select(_e317, 0f, _e321);
+                        if _e321 {
+                            phi_539_ = 38685626000000000000000000f;
                         } else {
-                            phi_538_ = (1f / _e316);
+                            phi_539_ = (1f / _e317);
                         }
-                        let _e334 = phi_538_;
-                        let _e335 = (_e273 == 0u);
-                        if _e335 {
-                            phi_547_ = _e297[0];
+                        let _e335 = phi_539_;
+                        let _e336 = (_e274 == 0u);
+                        if _e336 {
+                            phi_548_ = _e298[0];
                         } else {
-                            phi_547_ = _e297[1];
+                            phi_548_ = _e298[1];
                         }
-                        let _e339 = phi_547_;
-                        let _e340 = (_e273 == 2u);
-                        if _e340 {
-                            phi_553_ = _e297[2];
+                        let _e340 = phi_548_;
+                        let _e341 = (_e274 == 2u);
+                        if _e341 {
+                            phi_554_ = _e298[2];
                         } else {
-                            phi_553_ = _e339;
+                            phi_554_ = _e340;
                         }
-                        let _e343 = phi_553_;
-                        if _e335 {
-                            phi_564_ = _e307[0];
+                        let _e344 = phi_554_;
+                        if _e336 {
+                            phi_565_ = _e308[0];
                         } else {
-                            phi_564_ = _e307[1];
+                            phi_565_ = _e308[1];
                         }
-                        let _e347 = phi_564_;
-                        if _e340 {
-                            phi_570_ = _e307[2];
+                        let _e348 = phi_565_;
+                        if _e341 {
+                            phi_571_ = _e308[2];
                         } else {
-                            phi_570_ = _e347;
+                            phi_571_ = _e348;
                         }
-                        let _e350 = phi_570_;
-                        let _e352 = ((_e350 * _e286) * _e292);
-                        let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e356 {
-                            let _e360 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) * 0.00000011920929f);
-                            phi_593_ = select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f));
+                        let _e351 = phi_571_;
+                        let _e353 = ((_e351 * _e287) * _e293);
+                        let _e357 = (bitcast<f32>((bitcast<u32>(_e353) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e357 {
+                            let _e361 = (bitcast<f32>((bitcast<u32>(_e344) & 2147483647u)) * 0.00000011920929f);
+                            phi_594_ = select(0.00000000000011368684f, _e361, (_e361 > 0.00000000000011368684f));
                         } else {
-                            phi_593_ = 0f;
+                            phi_594_ = 0f;
                         }
-                        let _e364 = phi_593_;
-                        let _e365 = (_e343 + _e364);
-                        let _e366 = (_e343 - _e364);
-                        let _e367 = select(_e352, 0f, _e356);
-                        if _e356 {
-                            phi_604_ = 38685626000000000000000000f;
+                        let _e365 = phi_594_;
+                        let _e366 = (_e344 + _e365);
+                        let _e367 = (_e344 - _e365);
+                        let _e368 = select(_e353, 0f, _e357);
+                        if _e357 {
+                            phi_605_ = 38685626000000000000000000f;
                         } else {
-                            phi_604_ = (1f / _e352);
+                            phi_605_ = (1f / _e353);
                         }
-                        let _e370 = phi_604_;
-                        let _e371 = (_e275 == 0u);
-                        if _e371 {
-                            phi_613_ = _e297[0];
+                        let _e371 = phi_605_;
+                        let _e372 = (_e276 == 0u);
+                        if _e372 {
+                            phi_614_ = _e298[0];
                         } else {
-                            phi_613_ = _e297[1];
+                            phi_614_ = _e298[1];
                         }
-                        let _e375 = phi_613_;
-                        let _e376 = (_e275 == 2u);
-                        if _e376 {
-                            phi_619_ = _e297[2];
+                        let _e376 = phi_614_;
+                        let _e377 = (_e276 == 2u);
+                        if _e377 {
+                            phi_620_ = _e298[2];
                         } else {
-                            phi_619_ = _e375;
+                            phi_620_ = _e376;
                         }
-                        let _e379 = phi_619_;
-                        if _e371 {
-                            phi_630_ = _e307[0];
+                        let _e380 = phi_620_;
+                        if _e372 {
+                            phi_631_ = _e308[0];
                         } else {
-                            phi_630_ = _e307[1];
+                            phi_631_ = _e308[1];
                         }
-                        let _e383 = phi_630_;
-                        if _e376 {
-                            phi_636_ = _e307[2];
+                        let _e384 = phi_631_;
+                        if _e377 {
+                            phi_637_ = _e308[2];
                         } else {
-                            phi_636_ = _e383;
+                            phi_637_ = _e384;
                         }
-                        let _e386 = phi_636_;
-                        let _e388 = ((_e386 * _e286) * _e292);
-                        let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e392 {
-                            let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                            phi_659_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
+                        let _e387 = phi_637_;
+                        let _e389 = ((_e387 * _e287) * _e293);
+                        let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e393 {
+                            let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
+                            phi_660_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                         } else {
-                            phi_659_ = 0f;
+                            phi_660_ = 0f;
                         }
-                        let _e400 = phi_659_;
-                        let _e401 = (_e379 + _e400);
-                        let _e402 = (_e379 - _e400);
-                        let _e403 = select(_e388, 0f, _e392);
-                        if _e392 {
-                            phi_670_ = 38685626000000000000000000f;
+                        let _e401 = phi_660_;
+                        let _e402 = (_e380 + _e401);
+                        let _e403 = (_e380 - _e401);
+                        let _e404 = select(_e389, 0f, _e393);
+                        if _e393 {
+                            phi_671_ = 38685626000000000000000000f;
                         } else {
-                            phi_670_ = (1f / _e388);
+                            phi_671_ = (1f / _e389);
                         }
-                        let _e406 = phi_670_;
-                        let _e409 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                        let _e412 = bitcast<f32>((bitcast<u32>(_e343) & 2147483647u));
-                        let _e414 = select(_e412, _e409, (_e409 > _e412));
-                        let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                        if (_e236 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
-                            let _e422 = (_e255 / 3i);
-                            let _e429 = bitcast<f32>((bitcast<u32>((_e422 + 127i)) << bitcast<u32>(23i)));
-                            let _e436 = bitcast<f32>((bitcast<u32>(((_e255 - (2i * _e422)) + 127i)) << bitcast<u32>(23i)));
-                            let _e437 = (((_e220 * _e429) * _e429) * _e436);
-                            let _e439 = select(340282350000000000000000000000000000000f, _e437, (_e437 < 340282350000000000000000000000000000000f));
-                            let _e444 = (((_e230 * _e429) * _e429) * _e436);
-                            let _e446 = select(340282350000000000000000000000000000000f, _e444, (_e444 < 340282350000000000000000000000000000000f));
-                            phi_770_ = select(-340282350000000000000000000000000000000f, _e446, (_e446 > -340282350000000000000000000000000000000f));
-                            phi_771_ = select(-340282350000000000000000000000000000000f, _e439, (_e439 > -340282350000000000000000000000000000000f));
+                        let _e407 = phi_671_;
+                        let _e410 = bitcast<f32>((bitcast<u32>(_e307) & 2147483647u));
+                        let _e413 = bitcast<f32>((bitcast<u32>(_e344) & 2147483647u));
+                        let _e415 = select(_e413, _e410, (_e410 > _e413));
+                        let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
+                        if (_e237 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
+                            let _e423 = (_e256 / 3i);
+                            let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
+                            let _e437 = bitcast<f32>((bitcast<u32>(((_e256 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
+                            let _e438 = (((_e221 * _e430) * _e430) * _e437);
+                            let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
+                            let _e445 = (((_e231 * _e430) * _e430) * _e437);
+                            let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                            phi_771_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                            phi_772_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_770_ = 0f;
-                            phi_771_ = 1f;
+                            phi_771_ = 0f;
+                            phi_772_ = 1f;
                         }
-                        let _e450 = phi_770_;
-                        let _e452 = phi_771_;
-                        if _e151 {
+                        let _e451 = phi_771_;
+                        let _e453 = phi_772_;
+                        if _e152 {
                         } else {
                             break;
                         }
-                        let _e458 = global_4.member[_e136].member_2;
+                        let _e459 = global_4.member[_e137].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -535,1356 +537,1366 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e461 = (_e274 % 3u);
-                        let _e462 = (_e461 < 3u);
-                        if _e462 {
+                        let _e462 = (_e275 % 3u);
+                        let _e463 = (_e462 < 3u);
+                        if _e463 {
                         } else {
                             break;
                         }
-                        let _e464 = local_1[_e461];
-                        let _e467 = (_e273 % 3u);
-                        let _e468 = (_e467 < 3u);
-                        if _e468 {
+                        let _e465 = local_1[_e462];
+                        let _e468 = (_e274 % 3u);
+                        let _e469 = (_e468 < 3u);
+                        if _e469 {
                         } else {
                             break;
                         }
-                        let _e470 = local_1[_e467];
-                        let _e473 = (_e275 % 3u);
-                        let _e474 = (_e473 < 3u);
-                        if _e474 {
+                        let _e471 = local_1[_e468];
+                        let _e474 = (_e276 % 3u);
+                        let _e475 = (_e474 < 3u);
+                        if _e475 {
                         } else {
                             break;
                         }
-                        let _e476 = local_1[_e473];
-                        if _e462 {
+                        let _e477 = local_1[_e474];
+                        if _e463 {
                         } else {
                             break;
                         }
-                        let _e481 = local[_e461];
-                        if _e468 {
+                        let _e482 = local[_e462];
+                        if _e469 {
                         } else {
                             break;
                         }
-                        let _e485 = local[_e467];
-                        if _e474 {
+                        let _e486 = local[_e468];
+                        if _e475 {
                         } else {
                             break;
                         }
-                        let _e489 = local[_e473];
-                        phi_4222_ = false;
-                        phi_869_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e450), 0u, 0u);
-                        phi_872_ = type_49(type_34(vec4<f32>((f32(_e464) * _e148), (f32(_e470) * _e148), (f32(_e476) * _e148), 0f), vec4<f32>((f32(_e481) * _e148), (f32(_e485) * _e148), (f32(_e489) * _e148), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                        phi_874_ = ((3u * _e93) + 1u);
-                        phi_876_ = (_e452 <= _e450);
-                        phi_878_ = 0u;
+                        let _e490 = local[_e474];
+                        phi_4220_ = false;
+                        phi_870_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451), 0u, 0u);
+                        phi_873_ = type_49(type_34(vec4<f32>((f32(_e465) * _e149), (f32(_e471) * _e149), (f32(_e477) * _e149), 0f), vec4<f32>((f32(_e482) * _e149), (f32(_e486) * _e149), (f32(_e490) * _e149), 0f)), select(0u, 2147483648u, (_e94 == 0u)));
+                        phi_875_ = ((3u * _e94) + 1u);
+                        phi_877_ = (_e453 <= _e451);
+                        phi_879_ = 0u;
                         loop {
-                            let _e499 = phi_4222_;
-                            let _e501 = phi_869_;
-                            let _e503 = phi_872_;
-                            let _e505 = phi_874_;
-                            let _e507 = phi_876_;
-                            let _e509 = phi_878_;
-                            local_10 = _e501;
-                            local_11 = _e501;
-                            if _e507 {
-                                phi_889_ = true;
+                            let _e500 = phi_4220_;
+                            let _e502 = phi_870_;
+                            let _e504 = phi_873_;
+                            let _e506 = phi_875_;
+                            let _e508 = phi_877_;
+                            let _e510 = phi_879_;
+                            local_10 = _e502;
+                            local_11 = _e502;
+                            if _e508 {
+                                phi_890_ = true;
                             } else {
-                                phi_889_ = (_e509 > 0u);
+                                phi_890_ = (_e510 > 0u);
                             }
-                            let _e512 = phi_889_;
-                            if _e512 {
-                                let _e513 = (_e505 > 0u);
-                                if _e513 {
-                                    if _e507 {
-                                        phi_975_ = _e503;
-                                        phi_976_ = _e507;
-                                        phi_977_ = _e509;
+                            let _e513 = phi_890_;
+                            if _e513 {
+                                let _e514 = (_e506 > 0u);
+                                if _e514 {
+                                    if _e508 {
+                                        phi_976_ = _e504;
+                                        phi_977_ = _e508;
+                                        phi_978_ = _e510;
                                     } else {
-                                        let _e514 = (_e509 - 1u);
-                                        let _e515 = (_e514 % 128u);
-                                        let _e516 = (_e515 < 128u);
-                                        if _e516 {
+                                        let _e515 = (_e510 - 1u);
+                                        let _e516 = (_e515 % 128u);
+                                        let _e517 = (_e516 < 128u);
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e518 = local_7[_e515];
-                                        if _e516 {
+                                        let _e519 = local_7[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e520 = local_6[_e515];
-                                        if _e516 {
+                                        let _e521 = local_6[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e522 = local_5[_e515];
-                                        if _e516 {
+                                        let _e523 = local_5[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e524 = local_4[_e515];
-                                        if _e516 {
+                                        let _e525 = local_4[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e526 = local_3[_e515];
-                                        if _e516 {
+                                        let _e527 = local_3[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e528 = local_2[_e515];
-                                        if _e516 {
+                                        let _e529 = local_2[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e533 = local_8[_e515];
-                                        if _e516 {
+                                        let _e534 = local_8[_e516];
+                                        if _e517 {
                                         } else {
-                                            phi_4405_ = true;
+                                            phi_4403_ = true;
                                             break;
                                         }
-                                        let _e536 = local_9[_e515];
-                                        phi_975_ = type_49(type_34(vec4<f32>(_e518, _e520, _e522, 0f), vec4<f32>(_e524, _e526, _e528, 0f)), _e533);
-                                        phi_976_ = (_e536 <= _e501.member.member_1);
-                                        phi_977_ = _e514;
+                                        let _e537 = local_9[_e516];
+                                        phi_976_ = type_49(type_34(vec4<f32>(_e519, _e521, _e523, 0f), vec4<f32>(_e525, _e527, _e529, 0f)), _e534);
+                                        phi_977_ = (_e537 <= _e502.member.member_1);
+                                        phi_978_ = _e515;
                                     }
-                                    let _e541 = phi_975_;
-                                    let _e543 = phi_976_;
-                                    let _e545 = phi_977_;
-                                    if _e543 {
-                                        let _e550 = (_e541.member_1 & 268435455u);
-                                        if ((_e541.member_1 & 2147483648u) != 0u) {
-                                            phi_996_ = _e501;
-                                            phi_999_ = type_8(0u, ((_e541.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e542 = phi_976_;
+                                    let _e544 = phi_977_;
+                                    let _e546 = phi_978_;
+                                    if _e544 {
+                                        let _e551 = (_e542.member_1 & 268435455u);
+                                        if ((_e542.member_1 & 2147483648u) != 0u) {
+                                            phi_997_ = _e502;
+                                            phi_1000_ = type_8(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1017 = phi_996_;
-                                                let _e1019 = phi_999_;
-                                                local_12 = _e1017;
-                                                if (_e1019.member < _e1019.member_1) {
-                                                    phi_1000_ = type_8((_e1019.member + 1u), _e1019.member_1);
-                                                    phi_1022_ = type_8(1u, _e1019.member);
+                                                let _e1018 = phi_997_;
+                                                let _e1020 = phi_1000_;
+                                                local_12 = _e1018;
+                                                if (_e1020.member < _e1020.member_1) {
+                                                    phi_1001_ = type_8((_e1020.member + 1u), _e1020.member_1);
+                                                    phi_1023_ = type_8(1u, _e1020.member);
                                                 } else {
-                                                    phi_1000_ = _e1019;
-                                                    phi_1022_ = type_8(0u, type_8().member_1);
+                                                    phi_1001_ = _e1020;
+                                                    phi_1023_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1032 = phi_1000_;
-                                                let _e1034 = phi_1022_;
-                                                let _e1038 = (bitcast<i32>(_e1034.member) != 0i);
-                                                if _e1038 {
-                                                    let _e1044 = type_42(_e1017.member, _e1017.member_1, (_e1017.member_2 + 1u));
-                                                    let _e1049 = (_e541.member.member_1.x - _e541.member.member.x);
-                                                    let _e1052 = (_e541.member.member_1.y - _e541.member.member.y);
-                                                    let _e1055 = (_e541.member.member_1.z - _e541.member.member.z);
-                                                    let _e1057 = select(_e1052, _e1049, (_e1049 > _e1052));
-                                                    let _e1059 = select(_e1055, _e1057, (_e1057 > _e1055));
-                                                    let _e1061 = (_e1059 < (1024f * _e148));
-                                                    if _e1061 {
-                                                        phi_1066_ = 0u;
+                                                let _e1033 = phi_1001_;
+                                                let _e1035 = phi_1023_;
+                                                let _e1039 = (bitcast<i32>(_e1035.member) != 0i);
+                                                if _e1039 {
+                                                    let _e1045 = type_42(_e1018.member, _e1018.member_1, (_e1018.member_2 + 1u));
+                                                    let _e1050 = (_e542.member.member_1.x - _e542.member.member.x);
+                                                    let _e1053 = (_e542.member.member_1.y - _e542.member.member.y);
+                                                    let _e1056 = (_e542.member.member_1.z - _e542.member.member.z);
+                                                    let _e1058 = select(_e1053, _e1050, (_e1050 > _e1053));
+                                                    let _e1060 = select(_e1056, _e1058, (_e1058 > _e1056));
+                                                    let _e1062 = (_e1060 < (1024f * _e149));
+                                                    if _e1062 {
+                                                        phi_1067_ = 0u;
                                                     } else {
-                                                        phi_1066_ = select(2u, 1u, (_e1059 < (2097152f * _e148)));
+                                                        phi_1067_ = select(2u, 1u, (_e1060 < (2097152f * _e149)));
                                                     }
-                                                    let _e1066 = phi_1066_;
-                                                    switch bitcast<i32>(_e1066) {
+                                                    let _e1067 = phi_1067_;
+                                                    switch bitcast<i32>(_e1067) {
                                                         case 0: {
-                                                            phi_1072_ = 1u;
+                                                            phi_1073_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1072_ = 2u;
+                                                            phi_1073_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1072_ = 3u;
+                                                            phi_1073_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1072_ = u32();
+                                                            phi_1073_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1069 = phi_1072_;
-                                                    switch bitcast<i32>(_e1066) {
+                                                    let _e1070 = phi_1073_;
+                                                    switch bitcast<i32>(_e1067) {
                                                         case 0: {
-                                                            phi_1082_ = 1u;
+                                                            phi_1083_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1082_ = 2u;
+                                                            phi_1083_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1082_ = 3u;
+                                                            phi_1083_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1082_ = u32();
+                                                            phi_1083_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1076 = phi_1082_;
-                                                    let _e1078 = ((_e550 + (_e1034.member_1 * ((3u * _e1069) + 1u))) + (3u * _e1076));
-                                                    let _e1079 = (_e1078 < _e96);
-                                                    if _e1079 {
-                                                        if _e1079 {
+                                                    let _e1077 = phi_1083_;
+                                                    let _e1079 = ((_e551 + (_e1035.member_1 * ((3u * _e1070) + 1u))) + (3u * _e1077));
+                                                    let _e1080 = (_e1079 < _e97);
+                                                    if _e1080 {
+                                                        if _e1080 {
                                                         } else {
-                                                            phi_4216_ = true;
+                                                            phi_4214_ = true;
                                                             break;
                                                         }
-                                                        let _e1081 = global_7.member[_e1078];
-                                                        phi_1098_ = _e1081;
+                                                        let _e1082 = global_7.member[_e1079];
+                                                        phi_1099_ = _e1082;
                                                     } else {
-                                                        phi_1098_ = 4294967295u;
+                                                        phi_1099_ = 4294967295u;
                                                     }
-                                                    let _e1083 = phi_1098_;
-                                                    if _e1061 {
-                                                        phi_1131_ = 0u;
+                                                    let _e1084 = phi_1099_;
+                                                    if _e1062 {
+                                                        phi_1132_ = 0u;
                                                     } else {
-                                                        phi_1131_ = select(2u, 1u, (_e1059 < (2097152f * _e148)));
+                                                        phi_1132_ = select(2u, 1u, (_e1060 < (2097152f * _e149)));
                                                     }
-                                                    let _e1088 = phi_1131_;
-                                                    switch bitcast<i32>(_e1088) {
+                                                    let _e1089 = phi_1132_;
+                                                    switch bitcast<i32>(_e1089) {
                                                         case 0: {
-                                                            phi_1137_ = 1u;
+                                                            phi_1138_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1137_ = 2u;
+                                                            phi_1138_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1137_ = 3u;
+                                                            phi_1138_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1137_ = u32();
+                                                            phi_1138_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1091 = phi_1137_;
-                                                    let _e1095 = (_e550 + (_e1034.member_1 * ((3u * _e1091) + 1u)));
-                                                    switch bitcast<i32>(_e1088) {
+                                                    let _e1092 = phi_1138_;
+                                                    let _e1096 = (_e551 + (_e1035.member_1 * ((3u * _e1092) + 1u)));
+                                                    switch bitcast<i32>(_e1089) {
                                                         case 0: {
-                                                            let _e1361 = (_e1095 < _e96);
-                                                            if _e1361 {
-                                                                if _e1361 {
+                                                            let _e1362 = (_e1096 < _e97);
+                                                            if _e1362 {
+                                                                if _e1362 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1363 = global_7.member[_e1095];
-                                                                phi_1161_ = _e1363;
+                                                                let _e1364 = global_7.member[_e1096];
+                                                                phi_1162_ = _e1364;
                                                             } else {
-                                                                phi_1161_ = 0u;
+                                                                phi_1162_ = 0u;
                                                             }
-                                                            let _e1365 = phi_1161_;
-                                                            let _e1367 = ((10u * _e274) & 31u);
-                                                            let _e1376 = ((10u * _e273) & 31u);
-                                                            let _e1385 = ((10u * _e275) & 31u);
-                                                            let _e1394 = (_e1095 + 1u);
-                                                            let _e1395 = (_e1394 < _e96);
-                                                            if _e1395 {
-                                                                if _e1395 {
+                                                            let _e1366 = phi_1162_;
+                                                            let _e1368 = ((10u * _e275) & 31u);
+                                                            let _e1377 = ((10u * _e274) & 31u);
+                                                            let _e1386 = ((10u * _e276) & 31u);
+                                                            let _e1395 = (_e1096 + 1u);
+                                                            let _e1396 = (_e1395 < _e97);
+                                                            if _e1396 {
+                                                                if _e1396 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1397 = global_7.member[_e1394];
-                                                                phi_1204_ = _e1397;
+                                                                let _e1398 = global_7.member[_e1395];
+                                                                phi_1205_ = _e1398;
                                                             } else {
-                                                                phi_1204_ = 0u;
+                                                                phi_1205_ = 0u;
                                                             }
-                                                            let _e1399 = phi_1204_;
-                                                            let _e1422 = (_e1095 + 2u);
-                                                            let _e1423 = (_e1422 < _e96);
-                                                            if _e1423 {
-                                                                if _e1423 {
+                                                            let _e1400 = phi_1205_;
+                                                            let _e1423 = (_e1096 + 2u);
+                                                            let _e1424 = (_e1423 < _e97);
+                                                            if _e1424 {
+                                                                if _e1424 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1425 = global_7.member[_e1422];
-                                                                phi_1247_ = _e1425;
+                                                                let _e1426 = global_7.member[_e1423];
+                                                                phi_1248_ = _e1426;
                                                             } else {
-                                                                phi_1247_ = 0u;
+                                                                phi_1248_ = 0u;
                                                             }
-                                                            let _e1427 = phi_1247_;
-                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>(((_e1365 >> bitcast<u32>(_e1367)) & 1023u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>(((_e1365 >> bitcast<u32>(_e1376)) & 1023u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>(((_e1365 >> bitcast<u32>(_e1385)) & 1023u))) * _e148))), array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>(((_e1399 >> bitcast<u32>(_e1367)) & 1023u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>(((_e1399 >> bitcast<u32>(_e1376)) & 1023u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>(((_e1399 >> bitcast<u32>(_e1385)) & 1023u))) * _e148))), array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>(((_e1427 >> bitcast<u32>(_e1367)) & 1023u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>(((_e1427 >> bitcast<u32>(_e1376)) & 1023u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>(((_e1427 >> bitcast<u32>(_e1385)) & 1023u))) * _e148))));
+                                                            let _e1428 = phi_1248_;
+                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1366 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1400 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1368)) & 1023u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1377)) & 1023u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1428 >> bitcast<u32>(_e1386)) & 1023u))) * _e149))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1184 = (_e1095 < _e96);
-                                                            if _e1184 {
-                                                                if _e1184 {
+                                                            let _e1185 = (_e1096 < _e97);
+                                                            if _e1185 {
+                                                                if _e1185 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1186 = global_7.member[_e1095];
-                                                                phi_1290_ = _e1186;
+                                                                let _e1187 = global_7.member[_e1096];
+                                                                phi_1291_ = _e1187;
                                                             } else {
-                                                                phi_1290_ = 0u;
+                                                                phi_1291_ = 0u;
                                                             }
-                                                            let _e1188 = phi_1290_;
-                                                            let _e1189 = (_e1095 + 1u);
-                                                            let _e1190 = (_e1189 < _e96);
-                                                            if _e1190 {
-                                                                if _e1190 {
+                                                            let _e1189 = phi_1291_;
+                                                            let _e1190 = (_e1096 + 1u);
+                                                            let _e1191 = (_e1190 < _e97);
+                                                            if _e1191 {
+                                                                if _e1191 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1192 = global_7.member[_e1189];
-                                                                phi_1305_ = _e1192;
+                                                                let _e1193 = global_7.member[_e1190];
+                                                                phi_1306_ = _e1193;
                                                             } else {
-                                                                phi_1305_ = 0u;
+                                                                phi_1306_ = 0u;
                                                             }
-                                                            let _e1194 = phi_1305_;
-                                                            let _e1195 = (_e274 == 1u);
-                                                            if _e1195 {
-                                                                phi_1315_ = ((_e1188 >> bitcast<u32>(21i)) | (_e1194 << bitcast<u32>(11i)));
+                                                            let _e1195 = phi_1306_;
+                                                            let _e1196 = (_e275 == 1u);
+                                                            if _e1196 {
+                                                                phi_1316_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1315_ = (_e1194 >> bitcast<u32>(10i));
+                                                                phi_1316_ = (_e1195 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1204 = phi_1315_;
-                                                            let _e1211 = (_e273 == 1u);
-                                                            if _e1211 {
-                                                                phi_1335_ = ((_e1188 >> bitcast<u32>(21i)) | (_e1194 << bitcast<u32>(11i)));
+                                                            let _e1205 = phi_1316_;
+                                                            let _e1212 = (_e274 == 1u);
+                                                            if _e1212 {
+                                                                phi_1336_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1335_ = (_e1194 >> bitcast<u32>(10i));
+                                                                phi_1336_ = (_e1195 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1220 = phi_1335_;
-                                                            let _e1227 = (_e275 == 1u);
-                                                            if _e1227 {
-                                                                phi_1355_ = ((_e1188 >> bitcast<u32>(21i)) | (_e1194 << bitcast<u32>(11i)));
+                                                            let _e1221 = phi_1336_;
+                                                            let _e1228 = (_e276 == 1u);
+                                                            if _e1228 {
+                                                                phi_1356_ = ((_e1189 >> bitcast<u32>(21i)) | (_e1195 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1355_ = (_e1194 >> bitcast<u32>(10i));
+                                                                phi_1356_ = (_e1195 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1236 = phi_1355_;
-                                                            let _e1244 = (_e1095 + 2u);
-                                                            let _e1245 = (_e1244 < _e96);
-                                                            if _e1245 {
-                                                                if _e1245 {
+                                                            let _e1237 = phi_1356_;
+                                                            let _e1245 = (_e1096 + 2u);
+                                                            let _e1246 = (_e1245 < _e97);
+                                                            if _e1246 {
+                                                                if _e1246 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1247 = global_7.member[_e1244];
-                                                                phi_1381_ = _e1247;
+                                                                let _e1248 = global_7.member[_e1245];
+                                                                phi_1382_ = _e1248;
                                                             } else {
-                                                                phi_1381_ = 0u;
+                                                                phi_1382_ = 0u;
                                                             }
-                                                            let _e1249 = phi_1381_;
-                                                            let _e1250 = (_e1095 + 3u);
-                                                            let _e1251 = (_e1250 < _e96);
-                                                            if _e1251 {
-                                                                if _e1251 {
+                                                            let _e1250 = phi_1382_;
+                                                            let _e1251 = (_e1096 + 3u);
+                                                            let _e1252 = (_e1251 < _e97);
+                                                            if _e1252 {
+                                                                if _e1252 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1253 = global_7.member[_e1250];
-                                                                phi_1396_ = _e1253;
+                                                                let _e1254 = global_7.member[_e1251];
+                                                                phi_1397_ = _e1254;
                                                             } else {
-                                                                phi_1396_ = 0u;
+                                                                phi_1397_ = 0u;
                                                             }
-                                                            let _e1255 = phi_1396_;
-                                                            if _e1195 {
-                                                                phi_1406_ = ((_e1249 >> bitcast<u32>(21i)) | (_e1255 << bitcast<u32>(11i)));
+                                                            let _e1256 = phi_1397_;
+                                                            if _e1196 {
+                                                                phi_1407_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1406_ = (_e1255 >> bitcast<u32>(10i));
+                                                                phi_1407_ = (_e1256 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1264 = phi_1406_;
-                                                            if _e1211 {
-                                                                phi_1426_ = ((_e1249 >> bitcast<u32>(21i)) | (_e1255 << bitcast<u32>(11i)));
+                                                            let _e1265 = phi_1407_;
+                                                            if _e1212 {
+                                                                phi_1427_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1426_ = (_e1255 >> bitcast<u32>(10i));
+                                                                phi_1427_ = (_e1256 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1279 = phi_1426_;
-                                                            if _e1227 {
-                                                                phi_1446_ = ((_e1249 >> bitcast<u32>(21i)) | (_e1255 << bitcast<u32>(11i)));
+                                                            let _e1280 = phi_1427_;
+                                                            if _e1228 {
+                                                                phi_1447_ = ((_e1250 >> bitcast<u32>(21i)) | (_e1256 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1446_ = (_e1255 >> bitcast<u32>(10i));
+                                                                phi_1447_ = (_e1256 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1294 = phi_1446_;
-                                                            let _e1302 = (_e1095 + 4u);
-                                                            let _e1303 = (_e1302 < _e96);
-                                                            if _e1303 {
-                                                                if _e1303 {
+                                                            let _e1295 = phi_1447_;
+                                                            let _e1303 = (_e1096 + 4u);
+                                                            let _e1304 = (_e1303 < _e97);
+                                                            if _e1304 {
+                                                                if _e1304 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1305 = global_7.member[_e1302];
-                                                                phi_1472_ = _e1305;
+                                                                let _e1306 = global_7.member[_e1303];
+                                                                phi_1473_ = _e1306;
                                                             } else {
-                                                                phi_1472_ = 0u;
+                                                                phi_1473_ = 0u;
                                                             }
-                                                            let _e1307 = phi_1472_;
-                                                            let _e1308 = (_e1095 + 5u);
-                                                            let _e1309 = (_e1308 < _e96);
-                                                            if _e1309 {
-                                                                if _e1309 {
+                                                            let _e1308 = phi_1473_;
+                                                            let _e1309 = (_e1096 + 5u);
+                                                            let _e1310 = (_e1309 < _e97);
+                                                            if _e1310 {
+                                                                if _e1310 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1311 = global_7.member[_e1308];
-                                                                phi_1487_ = _e1311;
+                                                                let _e1312 = global_7.member[_e1309];
+                                                                phi_1488_ = _e1312;
                                                             } else {
-                                                                phi_1487_ = 0u;
+                                                                phi_1488_ = 0u;
                                                             }
-                                                            let _e1313 = phi_1487_;
-                                                            if _e1195 {
-                                                                phi_1497_ = ((_e1307 >> bitcast<u32>(21i)) | (_e1313 << bitcast<u32>(11i)));
+                                                            let _e1314 = phi_1488_;
+                                                            if _e1196 {
+                                                                phi_1498_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1497_ = (_e1313 >> bitcast<u32>(10i));
+                                                                phi_1498_ = (_e1314 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1322 = phi_1497_;
-                                                            if _e1211 {
-                                                                phi_1517_ = ((_e1307 >> bitcast<u32>(21i)) | (_e1313 << bitcast<u32>(11i)));
+                                                            let _e1323 = phi_1498_;
+                                                            if _e1212 {
+                                                                phi_1518_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1517_ = (_e1313 >> bitcast<u32>(10i));
+                                                                phi_1518_ = (_e1314 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1337 = phi_1517_;
-                                                            if _e1227 {
-                                                                phi_1537_ = ((_e1307 >> bitcast<u32>(21i)) | (_e1313 << bitcast<u32>(11i)));
+                                                            let _e1338 = phi_1518_;
+                                                            if _e1228 {
+                                                                phi_1538_ = ((_e1308 >> bitcast<u32>(21i)) | (_e1314 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1537_ = (_e1313 >> bitcast<u32>(10i));
+                                                                phi_1538_ = (_e1314 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1352 = phi_1537_;
-                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>((select(_e1204, _e1188, _e298) & 2097151u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>((select(_e1220, _e1188, _e335) & 2097151u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>((select(_e1236, _e1188, _e371) & 2097151u))) * _e148))), array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>((select(_e1264, _e1249, _e298) & 2097151u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>((select(_e1279, _e1249, _e335) & 2097151u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>((select(_e1294, _e1249, _e371) & 2097151u))) * _e148))), array<f32, 3>((_e541.member.member.x + (f32(bitcast<i32>((select(_e1322, _e1307, _e298) & 2097151u))) * _e148)), (_e541.member.member.y + (f32(bitcast<i32>((select(_e1337, _e1307, _e335) & 2097151u))) * _e148)), (_e541.member.member.z + (f32(bitcast<i32>((select(_e1352, _e1307, _e371) & 2097151u))) * _e148))));
+                                                            let _e1353 = phi_1538_;
+                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1205, _e1189, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1221, _e1189, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1237, _e1189, _e372) & 2097151u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1265, _e1250, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1280, _e1250, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1295, _e1250, _e372) & 2097151u))) * _e149))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1323, _e1308, _e299) & 2097151u))) * _e149)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1338, _e1308, _e336) & 2097151u))) * _e149)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1353, _e1308, _e372) & 2097151u))) * _e149))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1097 = (_e1095 + _e274);
-                                                            let _e1098 = (_e1097 < _e96);
-                                                            if _e1098 {
-                                                                if _e1098 {
+                                                            let _e1098 = (_e1096 + _e275);
+                                                            let _e1099 = (_e1098 < _e97);
+                                                            if _e1099 {
+                                                                if _e1099 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1100 = global_7.member[_e1097];
-                                                                phi_1564_ = _e1100;
+                                                                let _e1101 = global_7.member[_e1098];
+                                                                phi_1565_ = _e1101;
                                                             } else {
-                                                                phi_1564_ = 0u;
+                                                                phi_1565_ = 0u;
                                                             }
-                                                            let _e1102 = phi_1564_;
-                                                            let _e1106 = (_e1095 + _e273);
-                                                            let _e1107 = (_e1106 < _e96);
-                                                            if _e1107 {
-                                                                if _e1107 {
+                                                            let _e1103 = phi_1565_;
+                                                            let _e1107 = (_e1096 + _e274);
+                                                            let _e1108 = (_e1107 < _e97);
+                                                            if _e1108 {
+                                                                if _e1108 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1109 = global_7.member[_e1106];
-                                                                phi_1582_ = _e1109;
+                                                                let _e1110 = global_7.member[_e1107];
+                                                                phi_1583_ = _e1110;
                                                             } else {
-                                                                phi_1582_ = 0u;
+                                                                phi_1583_ = 0u;
                                                             }
-                                                            let _e1111 = phi_1582_;
-                                                            let _e1115 = (_e1095 + _e275);
-                                                            let _e1116 = (_e1115 < _e96);
-                                                            if _e1116 {
-                                                                if _e1116 {
+                                                            let _e1112 = phi_1583_;
+                                                            let _e1116 = (_e1096 + _e276);
+                                                            let _e1117 = (_e1116 < _e97);
+                                                            if _e1117 {
+                                                                if _e1117 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1118 = global_7.member[_e1115];
-                                                                phi_1600_ = _e1118;
+                                                                let _e1119 = global_7.member[_e1116];
+                                                                phi_1601_ = _e1119;
                                                             } else {
-                                                                phi_1600_ = 0u;
+                                                                phi_1601_ = 0u;
                                                             }
-                                                            let _e1120 = phi_1600_;
-                                                            let _e1125 = (_e1095 + 3u);
-                                                            let _e1126 = (_e1125 + _e274);
-                                                            let _e1127 = (_e1126 < _e96);
-                                                            if _e1127 {
-                                                                if _e1127 {
+                                                            let _e1121 = phi_1601_;
+                                                            let _e1126 = (_e1096 + 3u);
+                                                            let _e1127 = (_e1126 + _e275);
+                                                            let _e1128 = (_e1127 < _e97);
+                                                            if _e1128 {
+                                                                if _e1128 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1129 = global_7.member[_e1126];
-                                                                phi_1620_ = _e1129;
+                                                                let _e1130 = global_7.member[_e1127];
+                                                                phi_1621_ = _e1130;
                                                             } else {
-                                                                phi_1620_ = 0u;
+                                                                phi_1621_ = 0u;
                                                             }
-                                                            let _e1131 = phi_1620_;
-                                                            let _e1135 = (_e1125 + _e273);
-                                                            let _e1136 = (_e1135 < _e96);
-                                                            if _e1136 {
-                                                                if _e1136 {
+                                                            let _e1132 = phi_1621_;
+                                                            let _e1136 = (_e1126 + _e274);
+                                                            let _e1137 = (_e1136 < _e97);
+                                                            if _e1137 {
+                                                                if _e1137 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1138 = global_7.member[_e1135];
-                                                                phi_1638_ = _e1138;
+                                                                let _e1139 = global_7.member[_e1136];
+                                                                phi_1639_ = _e1139;
                                                             } else {
-                                                                phi_1638_ = 0u;
+                                                                phi_1639_ = 0u;
                                                             }
-                                                            let _e1140 = phi_1638_;
-                                                            let _e1144 = (_e1125 + _e275);
-                                                            let _e1145 = (_e1144 < _e96);
-                                                            if _e1145 {
-                                                                if _e1145 {
+                                                            let _e1141 = phi_1639_;
+                                                            let _e1145 = (_e1126 + _e276);
+                                                            let _e1146 = (_e1145 < _e97);
+                                                            if _e1146 {
+                                                                if _e1146 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1147 = global_7.member[_e1144];
-                                                                phi_1656_ = _e1147;
+                                                                let _e1148 = global_7.member[_e1145];
+                                                                phi_1657_ = _e1148;
                                                             } else {
-                                                                phi_1656_ = 0u;
+                                                                phi_1657_ = 0u;
                                                             }
-                                                            let _e1149 = phi_1656_;
-                                                            let _e1154 = (_e1095 + 6u);
-                                                            let _e1155 = (_e1154 + _e274);
-                                                            let _e1156 = (_e1155 < _e96);
-                                                            if _e1156 {
-                                                                if _e1156 {
+                                                            let _e1150 = phi_1657_;
+                                                            let _e1155 = (_e1096 + 6u);
+                                                            let _e1156 = (_e1155 + _e275);
+                                                            let _e1157 = (_e1156 < _e97);
+                                                            if _e1157 {
+                                                                if _e1157 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1158 = global_7.member[_e1155];
-                                                                phi_1676_ = _e1158;
+                                                                let _e1159 = global_7.member[_e1156];
+                                                                phi_1677_ = _e1159;
                                                             } else {
-                                                                phi_1676_ = 0u;
+                                                                phi_1677_ = 0u;
                                                             }
-                                                            let _e1160 = phi_1676_;
-                                                            let _e1164 = (_e1154 + _e273);
-                                                            let _e1165 = (_e1164 < _e96);
-                                                            if _e1165 {
-                                                                if _e1165 {
+                                                            let _e1161 = phi_1677_;
+                                                            let _e1165 = (_e1155 + _e274);
+                                                            let _e1166 = (_e1165 < _e97);
+                                                            if _e1166 {
+                                                                if _e1166 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1167 = global_7.member[_e1164];
-                                                                phi_1694_ = _e1167;
+                                                                let _e1168 = global_7.member[_e1165];
+                                                                phi_1695_ = _e1168;
                                                             } else {
-                                                                phi_1694_ = 0u;
+                                                                phi_1695_ = 0u;
                                                             }
-                                                            let _e1169 = phi_1694_;
-                                                            let _e1173 = (_e1154 + _e275);
-                                                            let _e1174 = (_e1173 < _e96);
-                                                            if _e1174 {
-                                                                if _e1174 {
+                                                            let _e1170 = phi_1695_;
+                                                            let _e1174 = (_e1155 + _e276);
+                                                            let _e1175 = (_e1174 < _e97);
+                                                            if _e1175 {
+                                                                if _e1175 {
                                                                 } else {
-                                                                    phi_4216_ = true;
+                                                                    phi_4214_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1176 = global_7.member[_e1173];
-                                                                phi_1712_ = _e1176;
+                                                                let _e1177 = global_7.member[_e1174];
+                                                                phi_1713_ = _e1177;
                                                             } else {
-                                                                phi_1712_ = 0u;
+                                                                phi_1713_ = 0u;
                                                             }
-                                                            let _e1178 = phi_1712_;
-                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1102)) * _e148), (f32(bitcast<i32>(_e1111)) * _e148), (f32(bitcast<i32>(_e1120)) * _e148)), array<f32, 3>((f32(bitcast<i32>(_e1131)) * _e148), (f32(bitcast<i32>(_e1140)) * _e148), (f32(bitcast<i32>(_e1149)) * _e148)), array<f32, 3>((f32(bitcast<i32>(_e1160)) * _e148), (f32(bitcast<i32>(_e1169)) * _e148), (f32(bitcast<i32>(_e1178)) * _e148)));
+                                                            let _e1179 = phi_1713_;
+                                                            phi_1719_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1103)) * _e149), (f32(bitcast<i32>(_e1112)) * _e149), (f32(bitcast<i32>(_e1121)) * _e149)), array<f32, 3>((f32(bitcast<i32>(_e1132)) * _e149), (f32(bitcast<i32>(_e1141)) * _e149), (f32(bitcast<i32>(_e1150)) * _e149)), array<f32, 3>((f32(bitcast<i32>(_e1161)) * _e149), (f32(bitcast<i32>(_e1170)) * _e149), (f32(bitcast<i32>(_e1179)) * _e149)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1718_ = array<array<f32, 3>, 3>();
+                                                            phi_1719_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1452 = phi_1718_;
-                                                    let _e1461 = (_e1452[0][2] - _e379);
-                                                    let _e1464 = (((_e1452[0][0] - _e306) * _e403) - (_e1461 * _e331));
-                                                    let _e1467 = (((_e1452[0][1] - _e343) * _e403) - (_e1461 * _e367));
-                                                    let _e1474 = (_e1452[1][2] - _e379);
-                                                    let _e1477 = (((_e1452[1][0] - _e306) * _e403) - (_e1474 * _e331));
-                                                    let _e1480 = (((_e1452[1][1] - _e343) * _e403) - (_e1474 * _e367));
-                                                    let _e1487 = (_e1452[2][2] - _e379);
-                                                    let _e1490 = (((_e1452[2][0] - _e306) * _e403) - (_e1487 * _e331));
-                                                    let _e1493 = (((_e1452[2][1] - _e343) * _e403) - (_e1487 * _e367));
-                                                    let _e1494 = (_e1490 * _e1480);
-                                                    let _e1495 = (_e1493 * _e1477);
-                                                    let _e1496 = (_e1464 * _e1493);
-                                                    let _e1497 = (_e1467 * _e1490);
-                                                    let _e1498 = (_e1477 * _e1467);
-                                                    let _e1499 = (_e1480 * _e1464);
-                                                    let _e1504 = (((_e1494 >= _e1495) && (_e1496 >= _e1497)) && (_e1498 >= _e1499));
-                                                    if (_e1504 || (((_e1494 <= _e1495) && (_e1496 <= _e1497)) && (_e1498 <= _e1499))) {
-                                                        let _e1511 = select(-1f, 1f, _e1504);
-                                                        let _e1513 = ((_e1494 - _e1495) * _e1511);
-                                                        let _e1515 = select(0f, _e1513, (_e1513 > 0f));
-                                                        let _e1517 = ((_e1496 - _e1497) * _e1511);
-                                                        let _e1519 = select(0f, _e1517, (_e1517 > 0f));
-                                                        let _e1521 = ((_e1498 - _e1499) * _e1511);
-                                                        let _e1523 = select(0f, _e1521, (_e1521 > 0f));
-                                                        let _e1525 = ((_e1515 + _e1519) + _e1523);
-                                                        if (_e1525 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2546_ = type_22();
-                                                            phi_2547_ = true;
-                                                            phi_2548_ = false;
+                                                    let _e1453 = phi_1719_;
+                                                    let _e1462 = (_e1453[0][2] - _e380);
+                                                    let _e1465 = (((_e1453[0][0] - _e307) * _e404) - (_e1462 * _e332));
+                                                    let _e1468 = (((_e1453[0][1] - _e344) * _e404) - (_e1462 * _e368));
+                                                    let _e1475 = (_e1453[1][2] - _e380);
+                                                    let _e1478 = (((_e1453[1][0] - _e307) * _e404) - (_e1475 * _e332));
+                                                    let _e1481 = (((_e1453[1][1] - _e344) * _e404) - (_e1475 * _e368));
+                                                    let _e1488 = (_e1453[2][2] - _e380);
+                                                    let _e1491 = (((_e1453[2][0] - _e307) * _e404) - (_e1488 * _e332));
+                                                    let _e1494 = (((_e1453[2][1] - _e344) * _e404) - (_e1488 * _e368));
+                                                    let _e1495 = (_e1491 * _e1481);
+                                                    let _e1496 = (_e1494 * _e1478);
+                                                    let _e1497 = (_e1465 * _e1494);
+                                                    let _e1498 = (_e1468 * _e1491);
+                                                    let _e1499 = (_e1478 * _e1468);
+                                                    let _e1500 = (_e1481 * _e1465);
+                                                    let _e1505 = (((_e1495 >= _e1496) && (_e1497 >= _e1498)) && (_e1499 >= _e1500));
+                                                    if (_e1505 || (((_e1495 <= _e1496) && (_e1497 <= _e1498)) && (_e1499 <= _e1500))) {
+                                                        let _e1512 = select(-1f, 1f, _e1505);
+                                                        let _e1514 = ((_e1495 - _e1496) * _e1512);
+                                                        let _e1516 = select(0f, _e1514, (_e1514 > 0f));
+                                                        let _e1518 = ((_e1497 - _e1498) * _e1512);
+                                                        let _e1520 = select(0f, _e1518, (_e1518 > 0f));
+                                                        let _e1522 = ((_e1499 - _e1500) * _e1512);
+                                                        let _e1524 = select(0f, _e1522, (_e1522 > 0f));
+                                                        let _e1526 = ((_e1516 + _e1520) + _e1524);
+                                                        if (_e1526 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2544_ = type_22();
+                                                            phi_2545_ = true;
+                                                            phi_2546_ = false;
                                                         } else {
-                                                            let _e1528 = select(_e1477, _e1464, (_e1464 < _e1477));
-                                                            if (select(_e1490, _e1528, (_e1528 < _e1490)) > 0f) {
-                                                                phi_1835_ = true;
+                                                            let _e1529 = select(_e1478, _e1465, (_e1465 < _e1478));
+                                                            if (select(_e1491, _e1529, (_e1529 < _e1491)) > 0f) {
+                                                                phi_1836_ = true;
                                                             } else {
-                                                                let _e1533 = select(_e1477, _e1464, (_e1464 > _e1477));
-                                                                phi_1835_ = (select(_e1490, _e1533, (_e1533 > _e1490)) < 0f);
+                                                                let _e1534 = select(_e1478, _e1465, (_e1465 > _e1478));
+                                                                phi_1836_ = (select(_e1491, _e1534, (_e1534 > _e1491)) < 0f);
                                                             }
-                                                            let _e1538 = phi_1835_;
-                                                            if _e1538 {
-                                                                phi_2543_ = type_22();
-                                                                phi_2544_ = true;
-                                                                phi_2545_ = false;
+                                                            let _e1539 = phi_1836_;
+                                                            if _e1539 {
+                                                                phi_2541_ = type_22();
+                                                                phi_2542_ = true;
+                                                                phi_2543_ = false;
                                                             } else {
-                                                                let _e1540 = select(_e1480, _e1467, (_e1467 < _e1480));
-                                                                if (select(_e1493, _e1540, (_e1540 < _e1493)) > 0f) {
-                                                                    phi_1864_ = true;
+                                                                let _e1541 = select(_e1481, _e1468, (_e1468 < _e1481));
+                                                                if (select(_e1494, _e1541, (_e1541 < _e1494)) > 0f) {
+                                                                    phi_1865_ = true;
                                                                 } else {
-                                                                    let _e1545 = select(_e1480, _e1467, (_e1467 > _e1480));
-                                                                    phi_1864_ = (select(_e1493, _e1545, (_e1545 > _e1493)) < 0f);
+                                                                    let _e1546 = select(_e1481, _e1468, (_e1468 > _e1481));
+                                                                    phi_1865_ = (select(_e1494, _e1546, (_e1546 > _e1494)) < 0f);
                                                                 }
-                                                                let _e1550 = phi_1864_;
-                                                                if _e1550 {
-                                                                    phi_2541_ = type_22();
-                                                                    phi_2542_ = false;
+                                                                let _e1551 = phi_1865_;
+                                                                if _e1551 {
+                                                                    phi_2539_ = type_22();
+                                                                    phi_2540_ = false;
                                                                 } else {
-                                                                    let _e1552 = select(_e1452[1][0], _e1452[0][0], (_e1452[0][0] < _e1452[1][0]));
-                                                                    let _e1556 = select(_e1452[1][0], _e1452[0][0], (_e1452[0][0] > _e1452[1][0]));
-                                                                    let _e1560 = select(_e1452[1][1], _e1452[0][1], (_e1452[0][1] < _e1452[1][1]));
-                                                                    let _e1564 = select(_e1452[1][1], _e1452[0][1], (_e1452[0][1] > _e1452[1][1]));
-                                                                    let _e1568 = select(_e1452[1][2], _e1452[0][2], (_e1452[0][2] < _e1452[1][2]));
-                                                                    let _e1572 = select(_e1452[1][2], _e1452[0][2], (_e1452[0][2] > _e1452[1][2]));
-                                                                    let _e1577 = ((select(_e1452[2][0], _e1552, (_e1552 < _e1452[2][0])) - _e329) * _e334);
-                                                                    let _e1578 = ((select(_e1452[2][0], _e1556, (_e1556 > _e1452[2][0])) - _e330) * _e334);
-                                                                    let _e1581 = ((select(_e1452[2][1], _e1560, (_e1560 < _e1452[2][1])) - _e365) * _e370);
-                                                                    let _e1582 = ((select(_e1452[2][1], _e1564, (_e1564 > _e1452[2][1])) - _e366) * _e370);
-                                                                    let _e1585 = ((select(_e1452[2][2], _e1568, (_e1568 < _e1452[2][2])) - _e401) * _e406);
-                                                                    let _e1586 = ((select(_e1452[2][2], _e1572, (_e1572 > _e1452[2][2])) - _e402) * _e406);
-                                                                    let _e1588 = select(_e1586, _e1585, (_e1585 < _e1586));
-                                                                    let _e1590 = select(_e1586, _e1585, (_e1585 > _e1586));
-                                                                    let _e1592 = select(_e1578, _e1577, (_e1577 < _e1578));
-                                                                    let _e1594 = select(_e1582, _e1581, (_e1581 < _e1582));
-                                                                    let _e1596 = select(_e1594, _e1592, (_e1592 > _e1594));
-                                                                    let _e1598 = select(_e1588, _e1596, (_e1596 > _e1588));
-                                                                    let _e1600 = select(_e1578, _e1577, (_e1577 > _e1578));
-                                                                    let _e1602 = select(_e1582, _e1581, (_e1581 > _e1582));
-                                                                    let _e1604 = select(_e1602, _e1600, (_e1600 < _e1602));
-                                                                    let _e1606 = select(_e1590, _e1604, (_e1604 < _e1590));
-                                                                    let _e1607 = -(_e1588);
-                                                                    let _e1613 = select(_e452, _e1598, (_e1598 > _e452));
-                                                                    if (_e1613 > (_e1606 + (select(_e1607, _e1590, (_e1590 > _e1607)) * 0.0000019073523f))) {
-                                                                        phi_2536_ = type_22();
-                                                                        phi_2537_ = true;
+                                                                    let _e1553 = select(_e1453[1][0], _e1453[0][0], (_e1453[0][0] < _e1453[1][0]));
+                                                                    let _e1557 = select(_e1453[1][0], _e1453[0][0], (_e1453[0][0] > _e1453[1][0]));
+                                                                    let _e1561 = select(_e1453[1][1], _e1453[0][1], (_e1453[0][1] < _e1453[1][1]));
+                                                                    let _e1565 = select(_e1453[1][1], _e1453[0][1], (_e1453[0][1] > _e1453[1][1]));
+                                                                    let _e1569 = select(_e1453[1][2], _e1453[0][2], (_e1453[0][2] < _e1453[1][2]));
+                                                                    let _e1573 = select(_e1453[1][2], _e1453[0][2], (_e1453[0][2] > _e1453[1][2]));
+                                                                    let _e1578 = ((select(_e1453[2][0], _e1553, (_e1553 < _e1453[2][0])) - _e330) * _e335);
+                                                                    let _e1579 = ((select(_e1453[2][0], _e1557, (_e1557 > _e1453[2][0])) - _e331) * _e335);
+                                                                    let _e1582 = ((select(_e1453[2][1], _e1561, (_e1561 < _e1453[2][1])) - _e366) * _e371);
+                                                                    let _e1583 = ((select(_e1453[2][1], _e1565, (_e1565 > _e1453[2][1])) - _e367) * _e371);
+                                                                    let _e1586 = ((select(_e1453[2][2], _e1569, (_e1569 < _e1453[2][2])) - _e402) * _e407);
+                                                                    let _e1587 = ((select(_e1453[2][2], _e1573, (_e1573 > _e1453[2][2])) - _e403) * _e407);
+                                                                    let _e1589 = select(_e1587, _e1586, (_e1586 < _e1587));
+                                                                    let _e1591 = select(_e1587, _e1586, (_e1586 > _e1587));
+                                                                    let _e1593 = select(_e1579, _e1578, (_e1578 < _e1579));
+                                                                    let _e1595 = select(_e1583, _e1582, (_e1582 < _e1583));
+                                                                    let _e1597 = select(_e1595, _e1593, (_e1593 > _e1595));
+                                                                    let _e1599 = select(_e1589, _e1597, (_e1597 > _e1589));
+                                                                    let _e1601 = select(_e1579, _e1578, (_e1578 > _e1579));
+                                                                    let _e1603 = select(_e1583, _e1582, (_e1582 > _e1583));
+                                                                    let _e1605 = select(_e1603, _e1601, (_e1601 < _e1603));
+                                                                    let _e1607 = select(_e1591, _e1605, (_e1605 < _e1591));
+                                                                    let _e1608 = -(_e1589);
+                                                                    let _e1614 = select(_e453, _e1599, (_e1599 > _e453));
+                                                                    if (_e1614 > (_e1607 + (select(_e1608, _e1591, (_e1591 > _e1608)) * 0.0000019073523f))) {
+                                                                        phi_2534_ = type_22();
+                                                                        phi_2535_ = true;
                                                                     } else {
-                                                                        let _e1615 = (_e1613 > _e1017.member.member_1);
-                                                                        if _e1615 {
-                                                                            phi_2535_ = type_22();
+                                                                        let _e1616 = (_e1614 > _e1018.member.member_1);
+                                                                        if _e1616 {
+                                                                            phi_2533_ = type_22();
                                                                         } else {
-                                                                            let _e1616 = vec3<f32>(_e1452[0][0], _e1452[0][1], _e1452[0][2]);
-                                                                            let _e1617 = vec3<f32>(_e1452[1][0], _e1452[1][1], _e1452[1][2]);
-                                                                            let _e1618 = vec3<f32>(_e1452[2][0], _e1452[2][1], _e1452[2][2]);
-                                                                            let _e1619 = (_e1452[1][0] - _e1452[0][0]);
-                                                                            let _e1620 = (_e1452[1][1] - _e1452[0][1]);
-                                                                            let _e1621 = (_e1452[1][2] - _e1452[0][2]);
-                                                                            let _e1622 = vec3<f32>(_e1619, _e1620, _e1621);
-                                                                            let _e1623 = (_e1452[2][0] - _e1452[1][0]);
-                                                                            let _e1624 = (_e1452[2][1] - _e1452[1][1]);
-                                                                            let _e1625 = (_e1452[2][2] - _e1452[1][2]);
-                                                                            let _e1626 = vec3<f32>(_e1623, _e1624, _e1625);
-                                                                            let _e1627 = (_e1452[0][0] - _e1452[2][0]);
-                                                                            let _e1628 = (_e1452[0][1] - _e1452[2][1]);
-                                                                            let _e1629 = (_e1452[0][2] - _e1452[2][2]);
-                                                                            let _e1630 = vec3<f32>(_e1627, _e1628, _e1629);
-                                                                            let _e1633 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
-                                                                            let _e1636 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
-                                                                            let _e1638 = select(_e1636, _e1633, (_e1633 > _e1636));
-                                                                            let _e1641 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
-                                                                            let _e1643 = select(_e1641, _e1638, (_e1638 > _e1641));
-                                                                            let _e1646 = bitcast<f32>((bitcast<u32>(_e1623) & 2147483647u));
-                                                                            let _e1649 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
-                                                                            let _e1651 = select(_e1649, _e1646, (_e1646 > _e1649));
-                                                                            let _e1654 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
-                                                                            let _e1656 = select(_e1654, _e1651, (_e1651 > _e1654));
-                                                                            let _e1659 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
-                                                                            let _e1662 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
-                                                                            let _e1664 = select(_e1662, _e1659, (_e1659 > _e1662));
-                                                                            let _e1667 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
-                                                                            let _e1669 = select(_e1667, _e1664, (_e1664 > _e1667));
-                                                                            let _e1671 = select(_e1656, _e1643, (_e1643 > _e1656));
-                                                                            let _e1673 = select(_e1669, _e1671, (_e1671 > _e1669));
-                                                                            if (_e1643 == _e1673) {
-                                                                                phi_2265_ = _e1480;
-                                                                                phi_2266_ = _e1477;
-                                                                                phi_2267_ = _e1467;
-                                                                                phi_2268_ = _e1464;
-                                                                                phi_2269_ = _e1616;
-                                                                                phi_2270_ = _e1630;
-                                                                                phi_2271_ = _e1626;
-                                                                                phi_2272_ = _e1622;
+                                                                            let _e1617 = vec3<f32>(_e1453[0][0], _e1453[0][1], _e1453[0][2]);
+                                                                            let _e1618 = vec3<f32>(_e1453[1][0], _e1453[1][1], _e1453[1][2]);
+                                                                            let _e1619 = vec3<f32>(_e1453[2][0], _e1453[2][1], _e1453[2][2]);
+                                                                            let _e1620 = (_e1453[1][0] - _e1453[0][0]);
+                                                                            let _e1621 = (_e1453[1][1] - _e1453[0][1]);
+                                                                            let _e1622 = (_e1453[1][2] - _e1453[0][2]);
+                                                                            let _e1623 = vec3<f32>(_e1620, _e1621, _e1622);
+                                                                            let _e1624 = (_e1453[2][0] - _e1453[1][0]);
+                                                                            let _e1625 = (_e1453[2][1] - _e1453[1][1]);
+                                                                            let _e1626 = (_e1453[2][2] - _e1453[1][2]);
+                                                                            let _e1627 = vec3<f32>(_e1624, _e1625, _e1626);
+                                                                            let _e1628 = (_e1453[0][0] - _e1453[2][0]);
+                                                                            let _e1629 = (_e1453[0][1] - _e1453[2][1]);
+                                                                            let _e1630 = (_e1453[0][2] - _e1453[2][2]);
+                                                                            let _e1631 = vec3<f32>(_e1628, _e1629, _e1630);
+                                                                            let _e1634 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
+                                                                            let _e1637 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
+                                                                            let _e1639 = select(_e1637, _e1634, (_e1634 > _e1637));
+                                                                            let _e1642 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
+                                                                            let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
+                                                                            let _e1647 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
+                                                                            let _e1650 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
+                                                                            let _e1652 = select(_e1650, _e1647, (_e1647 > _e1650));
+                                                                            let _e1655 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
+                                                                            let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
+                                                                            let _e1660 = bitcast<f32>((bitcast<u32>(_e1628) & 2147483647u));
+                                                                            let _e1663 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
+                                                                            let _e1665 = select(_e1663, _e1660, (_e1660 > _e1663));
+                                                                            let _e1668 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
+                                                                            let _e1670 = select(_e1668, _e1665, (_e1665 > _e1668));
+                                                                            let _e1672 = select(_e1657, _e1644, (_e1644 > _e1657));
+                                                                            let _e1674 = select(_e1670, _e1672, (_e1672 > _e1670));
+                                                                            if (_e1644 == _e1674) {
+                                                                                phi_2266_ = _e1481;
+                                                                                phi_2267_ = _e1478;
+                                                                                phi_2268_ = _e1468;
+                                                                                phi_2269_ = _e1465;
+                                                                                phi_2270_ = _e1617;
+                                                                                phi_2271_ = _e1631;
+                                                                                phi_2272_ = _e1627;
+                                                                                phi_2273_ = _e1623;
                                                                             } else {
-                                                                                let _e1675 = (_e1656 == _e1673);
-                                                                                let _e1680 = vec3(_e1675);
-                                                                                phi_2265_ = select(_e1467, _e1493, _e1675);
-                                                                                phi_2266_ = select(_e1464, _e1490, _e1675);
-                                                                                phi_2267_ = select(_e1493, _e1480, _e1675);
-                                                                                phi_2268_ = select(_e1490, _e1477, _e1675);
-                                                                                phi_2269_ = select(_e1618, _e1617, _e1680);
-                                                                                phi_2270_ = select(_e1626, _e1622, _e1680);
-                                                                                phi_2271_ = select(_e1622, _e1630, _e1680);
-                                                                                phi_2272_ = select(_e1630, _e1626, _e1680);
+                                                                                let _e1676 = (_e1657 == _e1674);
+                                                                                let _e1681 = vec3(_e1676);
+                                                                                phi_2266_ = select(_e1468, _e1494, _e1676);
+                                                                                phi_2267_ = select(_e1465, _e1491, _e1676);
+                                                                                phi_2268_ = select(_e1494, _e1481, _e1676);
+                                                                                phi_2269_ = select(_e1491, _e1478, _e1676);
+                                                                                phi_2270_ = select(_e1619, _e1618, _e1681);
+                                                                                phi_2271_ = select(_e1627, _e1623, _e1681);
+                                                                                phi_2272_ = select(_e1623, _e1631, _e1681);
+                                                                                phi_2273_ = select(_e1631, _e1627, _e1681);
                                                                             }
-                                                                            let _e1686 = phi_2265_;
-                                                                            let _e1688 = phi_2266_;
-                                                                            let _e1690 = phi_2267_;
-                                                                            let _e1692 = phi_2268_;
-                                                                            let _e1694 = phi_2269_;
-                                                                            let _e1696 = phi_2270_;
-                                                                            let _e1698 = phi_2271_;
-                                                                            let _e1700 = phi_2272_;
-                                                                            let _e1707 = ((_e1698.y * _e1696.z) - (_e1696.y * _e1698.z));
-                                                                            let _e1712 = ((_e1698.z * _e1696.x) - (_e1696.z * _e1698.x));
-                                                                            let _e1715 = ((_e1698.x * _e1696.y) - (_e1696.x * _e1698.y));
-                                                                            if (_e1515 >= _e1519) {
-                                                                                phi_2303_ = select(true, false, (_e1515 >= _e1523));
+                                                                            let _e1687 = phi_2266_;
+                                                                            let _e1689 = phi_2267_;
+                                                                            let _e1691 = phi_2268_;
+                                                                            let _e1693 = phi_2269_;
+                                                                            let _e1695 = phi_2270_;
+                                                                            let _e1697 = phi_2271_;
+                                                                            let _e1699 = phi_2272_;
+                                                                            let _e1701 = phi_2273_;
+                                                                            let _e1708 = ((_e1699.y * _e1697.z) - (_e1697.y * _e1699.z));
+                                                                            let _e1713 = ((_e1699.z * _e1697.x) - (_e1697.z * _e1699.x));
+                                                                            let _e1716 = ((_e1699.x * _e1697.y) - (_e1697.x * _e1699.y));
+                                                                            if (_e1516 >= _e1520) {
+                                                                                phi_2304_ = select(true, false, (_e1516 >= _e1524));
                                                                             } else {
-                                                                                phi_2303_ = true;
+                                                                                phi_2304_ = true;
                                                                             }
-                                                                            let _e1720 = phi_2303_;
-                                                                            if _e1720 {
-                                                                                phi_2312_ = select(_e1618, _e1617, vec3((_e1519 >= _e1523)));
+                                                                            let _e1721 = phi_2304_;
+                                                                            if _e1721 {
+                                                                                phi_2313_ = select(_e1619, _e1618, vec3((_e1520 >= _e1524)));
                                                                             } else {
-                                                                                phi_2312_ = _e1616;
+                                                                                phi_2313_ = _e1617;
                                                                             }
-                                                                            let _e1725 = phi_2312_;
-                                                                            let _e1730 = (((_e1707 * _e331) + (_e1712 * _e367)) + (_e1715 * _e403));
-                                                                            let _e1741 = (((_e1707 * (_e1725.x - _e306)) + (_e1712 * (_e1725.y - _e343))) + (_e1715 * (_e1725.z - _e379)));
-                                                                            let _e1743 = (_e1688 - _e1692);
-                                                                            let _e1744 = (_e1686 - _e1690);
-                                                                            let _e1752 = (-(((_e1692 * _e1743) + (_e1690 * _e1744))) / ((_e1743 * _e1743) + (_e1744 * _e1744)));
+                                                                            let _e1726 = phi_2313_;
+                                                                            let _e1737 = (((_e1708 * (_e1726.x - _e307)) + (_e1713 * (_e1726.y - _e344))) + (_e1716 * (_e1726.z - _e380)));
+                                                                            let _e1742 = (((_e1708 * _e332) + (_e1713 * _e368)) + (_e1716 * _e404));
+                                                                            let _e1743 = (_e1689 - _e1693);
+                                                                            let _e1744 = (_e1687 - _e1691);
+                                                                            let _e1752 = (-(((_e1693 * _e1743) + (_e1691 * _e1744))) / ((_e1743 * _e1743) + (_e1744 * _e1744)));
                                                                             let _e1754 = select(1f, _e1752, (_e1752 < 1f));
                                                                             let _e1756 = select(0f, _e1754, (_e1754 > 0f));
-                                                                            let _e1769 = ((_e1694.x + (_e1700.x * _e1756)) - _e306);
-                                                                            let _e1770 = ((_e1694.y + (_e1700.y * _e1756)) - _e343);
-                                                                            let _e1771 = ((_e1694.z + (_e1700.z * _e1756)) - _e379);
-                                                                            let _e1772 = (_e1771 / _e403);
+                                                                            let _e1769 = ((_e1695.x + (_e1701.x * _e1756)) - _e307);
+                                                                            let _e1770 = ((_e1695.y + (_e1701.y * _e1756)) - _e344);
+                                                                            let _e1771 = ((_e1695.z + (_e1701.z * _e1756)) - _e380);
+                                                                            let _e1772 = (_e1771 / _e404);
                                                                             let _e1784 = bitcast<f32>((bitcast<u32>(_e1769) & 2147483647u));
                                                                             let _e1787 = bitcast<f32>((bitcast<u32>(_e1770) & 2147483647u));
                                                                             let _e1789 = select(_e1787, _e1784, (_e1784 > _e1787));
                                                                             let _e1792 = bitcast<f32>((bitcast<u32>(_e1771) & 2147483647u));
                                                                             let _e1794 = select(_e1792, _e1789, (_e1789 > _e1792));
-                                                                            let _e1800 = bitcast<f32>((bitcast<u32>(_e1707) & 2147483647u));
-                                                                            let _e1803 = bitcast<f32>((bitcast<u32>(_e1712) & 2147483647u));
+                                                                            let _e1800 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                            let _e1803 = bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u));
                                                                             let _e1805 = select(_e1803, _e1800, (_e1800 > _e1803));
-                                                                            let _e1808 = bitcast<f32>((bitcast<u32>(_e1715) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1707 * _e1769) + (_e1712 * _e1770)) + (_e1715 * _e1771)) - _e1741)) & 2147483647u)) <= ((0.0000009536743f * select(_e1673, _e1794, (_e1794 > _e1673))) * select(_e1808, _e1805, (_e1805 > _e1808)))) {
-                                                                                let _e1818 = bitcast<f32>((bitcast<u32>(_e1698.x) & 2147483647u));
-                                                                                let _e1821 = bitcast<f32>((bitcast<u32>(_e1698.y) & 2147483647u));
+                                                                            let _e1808 = bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1708 * _e1769) + (_e1713 * _e1770)) + (_e1716 * _e1771)) - _e1737)) & 2147483647u)) <= ((0.0000009536743f * select(_e1674, _e1794, (_e1794 > _e1674))) * select(_e1808, _e1805, (_e1805 > _e1808)))) {
+                                                                                let _e1818 = bitcast<f32>((bitcast<u32>(_e1699.x) & 2147483647u));
+                                                                                let _e1821 = bitcast<f32>((bitcast<u32>(_e1699.y) & 2147483647u));
                                                                                 let _e1823 = select(_e1821, _e1818, (_e1818 > _e1821));
-                                                                                let _e1826 = bitcast<f32>((bitcast<u32>(_e1698.z) & 2147483647u));
-                                                                                let _e1832 = bitcast<f32>((bitcast<u32>(_e1696.x) & 2147483647u));
-                                                                                let _e1835 = bitcast<f32>((bitcast<u32>(_e1696.y) & 2147483647u));
+                                                                                let _e1826 = bitcast<f32>((bitcast<u32>(_e1699.z) & 2147483647u));
+                                                                                let _e1832 = bitcast<f32>((bitcast<u32>(_e1697.x) & 2147483647u));
+                                                                                let _e1835 = bitcast<f32>((bitcast<u32>(_e1697.y) & 2147483647u));
                                                                                 let _e1837 = select(_e1835, _e1832, (_e1832 > _e1835));
-                                                                                let _e1840 = bitcast<f32>((bitcast<u32>(_e1696.z) & 2147483647u));
-                                                                                phi_2479_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1730) & 2147483647u)) > ((0.0000038146973f * select(_e1826, _e1823, (_e1823 > _e1826))) * select(_e1840, _e1837, (_e1837 > _e1840)))));
-                                                                            } else {
-                                                                                phi_2479_ = true;
-                                                                            }
-                                                                            let _e1847 = phi_2479_;
-                                                                            if _e1847 {
-                                                                                let _e1858 = ((((_e1707 * (_e1769 - (_e331 * _e1772))) + (_e1712 * (_e1770 - (_e367 * _e1772)))) + (_e1715 * (_e1771 - _e1771))) / _e1730);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1858) & 2147483647u)) <= _e1673) {
-                                                                                    phi_2503_ = (_e1772 + _e1858);
+                                                                                let _e1840 = bitcast<f32>((bitcast<u32>(_e1697.z) & 2147483647u));
+                                                                                let _e1844 = (bitcast<f32>((bitcast<u32>(_e1742) & 2147483647u)) > ((0.0000038146973f * select(_e1826, _e1823, (_e1823 > _e1826))) * select(_e1840, _e1837, (_e1837 > _e1840))));
+                                                                                if _e1844 {
+                                                                                    phi_2478_ = (_e1737 / _e1742);
                                                                                 } else {
-                                                                                    phi_2503_ = _e1772;
+                                                                                    phi_2478_ = f32();
                                                                                 }
-                                                                                let _e1865 = phi_2503_;
-                                                                                phi_2504_ = _e1865;
+                                                                                let _e1847 = phi_2478_;
+                                                                                phi_2480_ = _e1847;
+                                                                                phi_2481_ = select(true, false, _e1844);
                                                                             } else {
-                                                                                phi_2504_ = (_e1741 / _e1730);
+                                                                                phi_2480_ = f32();
+                                                                                phi_2481_ = true;
                                                                             }
-                                                                            let _e1867 = phi_2504_;
-                                                                            let _e1869 = select(_e1606, _e1867, (_e1867 < _e1606));
-                                                                            let _e1871 = select(_e1598, _e1869, (_e1869 > _e1598));
-                                                                            if (_e1871 >= _e452) {
-                                                                                let _e1873 = (_e1871 <= _e1017.member.member_1);
-                                                                                if _e1873 {
-                                                                                    let _e1874 = (1f / _e1525);
-                                                                                    phi_2527_ = type_22(_e1871, (_e1519 * _e1874), (_e1523 * _e1874), _e1083);
+                                                                            let _e1850 = phi_2480_;
+                                                                            let _e1852 = phi_2481_;
+                                                                            if _e1852 {
+                                                                                let _e1860 = (((_e1708 * (_e1769 - (_e332 * _e1772))) + (_e1713 * (_e1770 - (_e368 * _e1772)))) / _e1742);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1860) & 2147483647u)) <= _e1674) {
+                                                                                    phi_2501_ = (_e1772 + _e1860);
                                                                                 } else {
-                                                                                    phi_2527_ = type_22();
+                                                                                    phi_2501_ = _e1772;
                                                                                 }
-                                                                                let _e1879 = phi_2527_;
-                                                                                phi_2529_ = _e1879;
-                                                                                phi_2530_ = select(true, false, _e1873);
+                                                                                let _e1867 = phi_2501_;
+                                                                                phi_2502_ = _e1867;
                                                                             } else {
-                                                                                phi_2529_ = type_22();
-                                                                                phi_2530_ = true;
+                                                                                phi_2502_ = _e1850;
                                                                             }
-                                                                            let _e1882 = phi_2529_;
-                                                                            let _e1884 = phi_2530_;
-                                                                            if _e1884 {
-                                                                                phi_2534_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1869 = phi_2502_;
+                                                                            let _e1871 = select(_e1607, _e1869, (_e1869 < _e1607));
+                                                                            let _e1873 = select(_e1599, _e1871, (_e1871 > _e1599));
+                                                                            if (_e1873 >= _e453) {
+                                                                                let _e1875 = (_e1873 <= _e1018.member.member_1);
+                                                                                if _e1875 {
+                                                                                    let _e1876 = (1f / _e1526);
+                                                                                    phi_2525_ = type_22(_e1873, (_e1520 * _e1876), (_e1524 * _e1876), _e1084);
+                                                                                } else {
+                                                                                    phi_2525_ = type_22();
+                                                                                }
+                                                                                let _e1881 = phi_2525_;
+                                                                                phi_2527_ = _e1881;
+                                                                                phi_2528_ = select(true, false, _e1875);
                                                                             } else {
-                                                                                phi_2534_ = _e1882;
+                                                                                phi_2527_ = type_22();
+                                                                                phi_2528_ = true;
                                                                             }
-                                                                            let _e1886 = phi_2534_;
-                                                                            phi_2535_ = _e1886;
+                                                                            let _e1884 = phi_2527_;
+                                                                            let _e1886 = phi_2528_;
+                                                                            if _e1886 {
+                                                                                phi_2532_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2532_ = _e1884;
+                                                                            }
+                                                                            let _e1888 = phi_2532_;
+                                                                            phi_2533_ = _e1888;
                                                                         }
-                                                                        let _e1888 = phi_2535_;
-                                                                        phi_2536_ = _e1888;
-                                                                        phi_2537_ = _e1615;
+                                                                        let _e1890 = phi_2533_;
+                                                                        phi_2534_ = _e1890;
+                                                                        phi_2535_ = _e1616;
                                                                     }
-                                                                    let _e1890 = phi_2536_;
-                                                                    let _e1892 = phi_2537_;
-                                                                    phi_2541_ = _e1890;
-                                                                    phi_2542_ = _e1892;
+                                                                    let _e1892 = phi_2534_;
+                                                                    let _e1894 = phi_2535_;
+                                                                    phi_2539_ = _e1892;
+                                                                    phi_2540_ = _e1894;
                                                                 }
-                                                                let _e1894 = phi_2541_;
-                                                                let _e1896 = phi_2542_;
-                                                                phi_2543_ = _e1894;
-                                                                phi_2544_ = _e1550;
-                                                                phi_2545_ = _e1896;
+                                                                let _e1896 = phi_2539_;
+                                                                let _e1898 = phi_2540_;
+                                                                phi_2541_ = _e1896;
+                                                                phi_2542_ = _e1551;
+                                                                phi_2543_ = _e1898;
                                                             }
-                                                            let _e1898 = phi_2543_;
-                                                            let _e1900 = phi_2544_;
-                                                            let _e1902 = phi_2545_;
-                                                            phi_2546_ = _e1898;
-                                                            phi_2547_ = _e1900;
-                                                            phi_2548_ = _e1902;
+                                                            let _e1900 = phi_2541_;
+                                                            let _e1902 = phi_2542_;
+                                                            let _e1904 = phi_2543_;
+                                                            phi_2544_ = _e1900;
+                                                            phi_2545_ = _e1902;
+                                                            phi_2546_ = _e1904;
                                                         }
-                                                        let _e1904 = phi_2546_;
-                                                        let _e1906 = phi_2547_;
-                                                        let _e1908 = phi_2548_;
-                                                        phi_2556_ = _e1904;
-                                                        phi_2557_ = select(_e1908, true, _e1906);
+                                                        let _e1906 = phi_2544_;
+                                                        let _e1908 = phi_2545_;
+                                                        let _e1910 = phi_2546_;
+                                                        phi_2554_ = _e1906;
+                                                        phi_2555_ = select(_e1910, true, _e1908);
                                                     } else {
-                                                        phi_2556_ = type_22();
-                                                        phi_2557_ = true;
+                                                        phi_2554_ = type_22();
+                                                        phi_2555_ = true;
                                                     }
-                                                    let _e1911 = phi_2556_;
-                                                    let _e1913 = phi_2557_;
-                                                    if _e1913 {
-                                                        phi_2561_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1913 = phi_2554_;
+                                                    let _e1915 = phi_2555_;
+                                                    if _e1915 {
+                                                        phi_2559_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2561_ = _e1911;
+                                                        phi_2559_ = _e1913;
                                                     }
-                                                    let _e1915 = phi_2561_;
-                                                    if (_e1915.member_3 != 4294967295u) {
-                                                        if (_e1083 != _e458) {
-                                                            if (_e1915.member < _e1017.member.member.member) {
-                                                                phi_2587_ = true;
+                                                    let _e1917 = phi_2559_;
+                                                    if (_e1917.member_3 != 4294967295u) {
+                                                        if (_e1084 != _e459) {
+                                                            if (_e1917.member < _e1018.member.member.member) {
+                                                                phi_2585_ = true;
                                                             } else {
-                                                                if (_e1915.member == _e1017.member.member.member) {
-                                                                    phi_2586_ = (_e1915.member_3 < _e1017.member.member.member_3);
+                                                                if (_e1917.member == _e1018.member.member.member) {
+                                                                    phi_2584_ = (_e1917.member_3 < _e1018.member.member.member_3);
                                                                 } else {
-                                                                    phi_2586_ = false;
+                                                                    phi_2584_ = false;
                                                                 }
-                                                                let _e1930 = phi_2586_;
-                                                                phi_2587_ = _e1930;
+                                                                let _e1932 = phi_2584_;
+                                                                phi_2585_ = _e1932;
                                                             }
-                                                            let _e1932 = phi_2587_;
-                                                            if _e1932 {
-                                                                phi_2594_ = type_42(type_38(_e1915, _e1915.member), _e1044.member_1, _e1044.member_2);
+                                                            let _e1934 = phi_2585_;
+                                                            if _e1934 {
+                                                                phi_2592_ = type_42(type_38(_e1917, _e1917.member), _e1045.member_1, _e1045.member_2);
                                                             } else {
-                                                                phi_2594_ = _e1044;
+                                                                phi_2592_ = _e1045;
                                                             }
-                                                            let _e1939 = phi_2594_;
-                                                            phi_2595_ = _e1939;
+                                                            let _e1941 = phi_2592_;
+                                                            phi_2593_ = _e1941;
                                                         } else {
-                                                            phi_2595_ = _e1044;
+                                                            phi_2593_ = _e1045;
                                                         }
-                                                        let _e1941 = phi_2595_;
-                                                        phi_2596_ = _e1941;
+                                                        let _e1943 = phi_2593_;
+                                                        phi_2594_ = _e1943;
                                                     } else {
-                                                        phi_2596_ = _e1044;
+                                                        phi_2594_ = _e1045;
                                                     }
-                                                    let _e1943 = phi_2596_;
-                                                    phi_997_ = _e1943;
+                                                    let _e1945 = phi_2594_;
+                                                    phi_998_ = _e1945;
                                                 } else {
-                                                    phi_997_ = type_42();
+                                                    phi_998_ = type_42();
                                                 }
-                                                let _e1945 = phi_997_;
+                                                let _e1947 = phi_998_;
                                                 continue;
                                                 continuing {
-                                                    phi_996_ = _e1945;
-                                                    phi_999_ = _e1032;
-                                                    phi_4216_ = _e499;
-                                                    break if !(_e1038);
+                                                    phi_997_ = _e1947;
+                                                    phi_1000_ = _e1033;
+                                                    phi_4214_ = _e500;
+                                                    break if !(_e1039);
                                                 }
                                             }
-                                            let _e1948 = phi_4216_;
-                                            phi_4405_ = _e1948;
-                                            if _e1948 {
+                                            let _e1950 = phi_4214_;
+                                            phi_4403_ = _e1950;
+                                            if _e1950 {
                                                 break;
                                             }
-                                            phi_4409_ = _e1948;
-                                            let _e2216 = local_12;
-                                            phi_3839_ = _e2216;
-                                            phi_3840_ = _e541;
-                                            phi_3841_ = false;
-                                            phi_3842_ = _e545;
+                                            phi_4407_ = _e1950;
+                                            let _e2220 = local_12;
+                                            phi_3837_ = _e2220;
+                                            phi_3838_ = _e542;
+                                            phi_3839_ = false;
+                                            phi_3840_ = _e546;
                                         } else {
-                                            if (_e541.member_1 >= _e93) {
-                                                phi_3395_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e542.member_1 >= _e94) {
+                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e541.member_1 < _e93) {
+                                                if (_e542.member_1 < _e94) {
                                                 } else {
-                                                    phi_4405_ = true;
+                                                    phi_4403_ = true;
                                                     break;
                                                 }
-                                                let _e564 = ((1u + _e274) % 4u);
-                                                if (_e564 < 4u) {
+                                                let _e565 = ((1u + _e275) % 4u);
+                                                if (_e565 < 4u) {
                                                 } else {
-                                                    phi_4405_ = true;
+                                                    phi_4403_ = true;
                                                     break;
                                                 }
-                                                let _e569 = global_3.member[_e541.member_1][_e564];
-                                                let _e571 = (_e569 >> bitcast<u32>(11u));
-                                                let _e573 = ((1u + _e273) % 4u);
-                                                if (_e573 < 4u) {
+                                                let _e570 = global_3.member[_e542.member_1][_e565];
+                                                let _e572 = (_e570 >> bitcast<u32>(11u));
+                                                let _e574 = ((1u + _e274) % 4u);
+                                                if (_e574 < 4u) {
                                                 } else {
-                                                    phi_4405_ = true;
+                                                    phi_4403_ = true;
                                                     break;
                                                 }
-                                                let _e578 = global_3.member[_e541.member_1][_e573];
-                                                let _e580 = (_e578 >> bitcast<u32>(11u));
-                                                let _e582 = ((1u + _e275) % 4u);
-                                                if (_e582 < 4u) {
+                                                let _e579 = global_3.member[_e542.member_1][_e574];
+                                                let _e581 = (_e579 >> bitcast<u32>(11u));
+                                                let _e583 = ((1u + _e276) % 4u);
+                                                if (_e583 < 4u) {
                                                 } else {
-                                                    phi_4405_ = true;
+                                                    phi_4403_ = true;
                                                     break;
                                                 }
-                                                let _e587 = global_3.member[_e541.member_1][_e582];
-                                                let _e589 = (_e587 >> bitcast<u32>(11u));
-                                                let _e612 = (bitcast<f32>((bitcast<u32>((_e541.member.member_1.x - _e541.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e613 = (bitcast<f32>((bitcast<u32>((_e541.member.member_1.y - _e541.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e614 = (bitcast<f32>((bitcast<u32>((_e541.member.member_1.z - _e541.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e616 = select(_e148, _e612, (_e612 > _e148));
-                                                let _e618 = select(_e148, _e613, (_e613 > _e148));
-                                                let _e620 = select(_e148, _e614, (_e614 > _e148));
-                                                let _e645 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e616));
-                                                let _e650 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e653 = bitcast<f32>((_e645 & bitcast<u32>(_e650)));
-                                                let _e654 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e618));
-                                                let _e659 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
-                                                let _e663 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e620));
-                                                let _e668 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
-                                                let _e675 = bitcast<f32>((_e645 & bitcast<u32>(~(_e650))));
-                                                let _e679 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
-                                                let _e683 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
-                                                let _e684 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e616));
-                                                let _e689 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                                let _e693 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e618));
-                                                let _e698 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
-                                                let _e702 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e620));
-                                                let _e707 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
-                                                let _e714 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                                let _e718 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
-                                                let _e722 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
-                                                let _e723 = (_e541.member.member.x + _e653);
-                                                let _e724 = (_e541.member.member.y + _e662);
-                                                let _e725 = (_e541.member.member.z + _e671);
-                                                let _e728 = (_e541.member.member_1.x - _e692);
-                                                let _e729 = (_e541.member.member_1.y - _e701);
-                                                let _e730 = (_e541.member.member_1.z - _e710);
-                                                let _e749 = (_e728 - _e723);
+                                                let _e588 = global_3.member[_e542.member_1][_e583];
+                                                let _e590 = (_e588 >> bitcast<u32>(11u));
+                                                let _e613 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e614 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e615 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e617 = select(_e149, _e613, (_e613 > _e149));
+                                                let _e619 = select(_e149, _e614, (_e614 > _e149));
+                                                let _e621 = select(_e149, _e615, (_e615 > _e149));
+                                                let _e646 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e617));
+                                                let _e651 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e654 = bitcast<f32>((_e646 & bitcast<u32>(_e651)));
+                                                let _e655 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e619));
+                                                let _e660 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
+                                                let _e664 = bitcast<u32>((f32(bitcast<i32>((_e588 & 1023u))) * _e621));
+                                                let _e669 = (bitcast<i32>((_e588 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
+                                                let _e676 = bitcast<f32>((_e646 & bitcast<u32>(~(_e651))));
+                                                let _e680 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
+                                                let _e684 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
+                                                let _e685 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e617));
+                                                let _e690 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
+                                                let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e619));
+                                                let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
+                                                let _e703 = bitcast<u32>((f32(bitcast<i32>((_e590 & 1023u))) * _e621));
+                                                let _e708 = (bitcast<i32>((_e590 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
+                                                let _e715 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
+                                                let _e719 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
+                                                let _e723 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
+                                                let _e724 = (_e542.member.member.x + _e654);
+                                                let _e725 = (_e542.member.member.y + _e663);
+                                                let _e726 = (_e542.member.member.z + _e672);
+                                                let _e729 = (_e542.member.member_1.x - _e693);
+                                                let _e730 = (_e542.member.member_1.y - _e702);
+                                                let _e731 = (_e542.member.member_1.z - _e711);
                                                 let _e750 = (_e729 - _e724);
                                                 let _e751 = (_e730 - _e725);
-                                                let _e753 = select(_e750, _e749, (_e749 > _e750));
-                                                let _e755 = select(_e751, _e753, (_e753 > _e751));
-                                                if (_e755 < (1024f * _e148)) {
-                                                    phi_3096_ = 0u;
+                                                let _e752 = (_e731 - _e726);
+                                                let _e754 = select(_e751, _e750, (_e750 > _e751));
+                                                let _e756 = select(_e752, _e754, (_e754 > _e752));
+                                                if (_e756 < (1024f * _e149)) {
+                                                    phi_3094_ = 0u;
                                                 } else {
-                                                    phi_3096_ = select(2u, 1u, (_e755 < (2097152f * _e148)));
+                                                    phi_3094_ = select(2u, 1u, (_e756 < (2097152f * _e149)));
                                                 }
-                                                let _e762 = phi_3096_;
-                                                switch bitcast<i32>(_e762) {
+                                                let _e763 = phi_3094_;
+                                                switch bitcast<i32>(_e763) {
                                                     case 0: {
-                                                        phi_3102_ = 1u;
+                                                        phi_3100_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3102_ = 2u;
+                                                        phi_3100_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3102_ = 3u;
+                                                        phi_3100_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3102_ = u32();
+                                                        phi_3100_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e765 = phi_3102_;
-                                                let _e771 = global_3.member[_e541.member_1][0u];
-                                                let _e775 = global_3.member[_e541.member_1][1u];
-                                                let _e779 = global_3.member[_e541.member_1][2u];
-                                                let _e783 = global_3.member[_e541.member_1][3u];
-                                                let _e795 = (((_e775 >> bitcast<u32>(22i)) | ((_e779 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e783 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e796 = (_e771 & 268435455u);
-                                                let _e797 = (_e795 & 268435455u);
-                                                let _e800 = ((_e771 >> bitcast<u32>(28u)) & 7u);
-                                                let _e808 = ((_e771 >> bitcast<u32>(31i)) | (((_e795 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e809 = (_e800 != 0u);
-                                                if (_e800 == 0u) {
-                                                    phi_3357_ = _e796;
+                                                let _e766 = phi_3100_;
+                                                let _e772 = global_3.member[_e542.member_1][0u];
+                                                let _e776 = global_3.member[_e542.member_1][1u];
+                                                let _e780 = global_3.member[_e542.member_1][2u];
+                                                let _e784 = global_3.member[_e542.member_1][3u];
+                                                let _e796 = (((_e776 >> bitcast<u32>(22i)) | ((_e780 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e784 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e797 = (_e772 & 268435455u);
+                                                let _e798 = (_e796 & 268435455u);
+                                                let _e801 = ((_e772 >> bitcast<u32>(28u)) & 7u);
+                                                let _e809 = ((_e772 >> bitcast<u32>(31i)) | (((_e796 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e810 = (_e801 != 0u);
+                                                if (_e801 == 0u) {
+                                                    phi_3355_ = _e797;
                                                 } else {
-                                                    if (_e800 == 7u) {
-                                                        phi_3356_ = 2147483648u;
+                                                    if (_e801 == 7u) {
+                                                        phi_3354_ = 2147483648u;
                                                     } else {
-                                                        phi_3356_ = ((2147483648u | (_e800 << bitcast<u32>(28u))) | (_e797 & 268435455u));
+                                                        phi_3354_ = ((2147483648u | (_e801 << bitcast<u32>(28u))) | (_e798 & 268435455u));
                                                     }
-                                                    let _e818 = phi_3356_;
-                                                    phi_3357_ = _e818;
+                                                    let _e819 = phi_3354_;
+                                                    phi_3355_ = _e819;
                                                 }
-                                                let _e820 = phi_3357_;
-                                                if _e809 {
-                                                    let _e821 = (_e800 != 7u);
-                                                    if _e821 {
-                                                        phi_3367_ = (_e797 + (_e800 * ((3u * _e765) + 1u)));
+                                                let _e821 = phi_3355_;
+                                                if _e810 {
+                                                    let _e822 = (_e801 != 7u);
+                                                    if _e822 {
+                                                        phi_3365_ = (_e798 + (_e801 * ((3u * _e766) + 1u)));
                                                     } else {
-                                                        phi_3367_ = u32();
+                                                        phi_3365_ = u32();
                                                     }
-                                                    let _e825 = phi_3367_;
-                                                    phi_3369_ = _e825;
-                                                    phi_3370_ = select(true, false, _e821);
+                                                    let _e826 = phi_3365_;
+                                                    phi_3367_ = _e826;
+                                                    phi_3368_ = select(true, false, _e822);
                                                 } else {
-                                                    phi_3369_ = u32();
-                                                    phi_3370_ = true;
+                                                    phi_3367_ = u32();
+                                                    phi_3368_ = true;
                                                 }
-                                                let _e828 = phi_3369_;
-                                                let _e830 = phi_3370_;
-                                                if (_e808 == 0u) {
-                                                    phi_3391_ = (_e796 + select(0u, 1u, !(_e809)));
+                                                let _e829 = phi_3367_;
+                                                let _e831 = phi_3368_;
+                                                if (_e809 == 0u) {
+                                                    phi_3389_ = (_e797 + select(0u, 1u, !(_e810)));
                                                 } else {
-                                                    if (_e808 == 7u) {
-                                                        phi_3390_ = 2147483648u;
+                                                    if (_e809 == 7u) {
+                                                        phi_3388_ = 2147483648u;
                                                     } else {
-                                                        phi_3390_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (select(_e828, _e797, _e830) & 268435455u));
+                                                        phi_3388_ = ((2147483648u | (_e809 << bitcast<u32>(28u))) | (select(_e829, _e798, _e831) & 268435455u));
                                                     }
-                                                    let _e843 = phi_3390_;
-                                                    phi_3391_ = _e843;
+                                                    let _e844 = phi_3388_;
+                                                    phi_3389_ = _e844;
                                                 }
-                                                let _e845 = phi_3391_;
-                                                phi_3395_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e723, (_e541.member.member.x + _e675), _e728, (_e541.member.member_1.x - _e714)), vec4<f32>(_e724, (_e541.member.member.y + _e679), _e729, (_e541.member.member_1.y - _e718)), vec4<f32>(_e725, (_e541.member.member.z + _e683), _e730, (_e541.member.member_1.z - _e722))), type_49(type_34((_e541.member.member + vec4<f32>(_e653, _e662, _e671, 0f)), (_e541.member.member_1 - vec4<f32>(_e692, _e701, _e710, 0f))), _e820), type_49(type_34((_e541.member.member + vec4<f32>(_e675, _e679, _e683, 0f)), (_e541.member.member_1 - vec4<f32>(_e714, _e718, _e722, 0f))), _e845));
+                                                let _e846 = phi_3389_;
+                                                phi_3393_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e724, (_e542.member.member.x + _e676), _e729, (_e542.member.member_1.x - _e715)), vec4<f32>(_e725, (_e542.member.member.y + _e680), _e730, (_e542.member.member_1.y - _e719)), vec4<f32>(_e726, (_e542.member.member.z + _e684), _e731, (_e542.member.member_1.z - _e723))), type_49(type_34((_e542.member.member + vec4<f32>(_e654, _e663, _e672, 0f)), (_e542.member.member_1 - vec4<f32>(_e693, _e702, _e711, 0f))), _e821), type_49(type_34((_e542.member.member + vec4<f32>(_e676, _e680, _e684, 0f)), (_e542.member.member_1 - vec4<f32>(_e715, _e719, _e723, 0f))), _e846));
                                             }
-                                            let _e850 = phi_3395_;
-                                            let _e863 = ((_e850.member[0].x - _e329) * _e334);
-                                            let _e864 = ((_e850.member[0].y - _e329) * _e334);
-                                            let _e865 = ((_e850.member[0].z - _e330) * _e334);
-                                            let _e866 = ((_e850.member[0].w - _e330) * _e334);
-                                            let _e876 = ((_e850.member[1].x - _e365) * _e370);
-                                            let _e877 = ((_e850.member[1].y - _e365) * _e370);
-                                            let _e878 = ((_e850.member[1].z - _e366) * _e370);
-                                            let _e879 = ((_e850.member[1].w - _e366) * _e370);
-                                            let _e889 = ((_e850.member[2].x - _e401) * _e406);
-                                            let _e890 = ((_e850.member[2].y - _e401) * _e406);
-                                            let _e891 = ((_e850.member[2].z - _e402) * _e406);
-                                            let _e892 = ((_e850.member[2].w - _e402) * _e406);
-                                            let _e894 = select(_e891, _e889, (_e889 < _e891));
-                                            let _e896 = select(_e892, _e890, (_e890 < _e892));
-                                            let _e898 = select(_e891, _e889, (_e889 > _e891));
-                                            let _e900 = select(_e892, _e890, (_e890 > _e892));
-                                            let _e902 = select(_e865, _e863, (_e863 < _e865));
-                                            let _e904 = select(_e866, _e864, (_e864 < _e866));
-                                            let _e906 = select(_e878, _e876, (_e876 < _e878));
-                                            let _e908 = select(_e879, _e877, (_e877 < _e879));
-                                            let _e910 = select(_e906, _e902, (_e902 > _e906));
-                                            let _e912 = select(_e908, _e904, (_e904 > _e908));
-                                            let _e914 = select(_e894, _e910, (_e910 > _e894));
-                                            let _e916 = select(_e896, _e912, (_e912 > _e896));
-                                            let _e918 = select(_e865, _e863, (_e863 > _e865));
-                                            let _e920 = select(_e866, _e864, (_e864 > _e866));
-                                            let _e922 = select(_e878, _e876, (_e876 > _e878));
-                                            let _e924 = select(_e879, _e877, (_e877 > _e879));
-                                            let _e926 = select(_e922, _e918, (_e918 < _e922));
-                                            let _e928 = select(_e924, _e920, (_e920 < _e924));
-                                            let _e933 = -(_e894);
-                                            let _e934 = -(_e896);
-                                            let _e941 = (select(_e898, _e926, (_e926 < _e898)) + (select(_e933, _e898, (_e898 > _e933)) * 0.0000019073523f));
-                                            let _e942 = (select(_e900, _e928, (_e928 < _e900)) + (select(_e934, _e900, (_e900 > _e934)) * 0.0000019073523f));
-                                            let _e944 = select(_e452, _e914, (_e914 > _e452));
-                                            let _e946 = select(_e452, _e916, (_e916 > _e452));
-                                            let _e951 = (_e944 <= select(_e501.member.member_1, _e941, (_e941 < _e501.member.member_1)));
-                                            let _e952 = (_e946 <= select(_e501.member.member_1, _e942, (_e942 < _e501.member.member_1)));
-                                            let _e953 = (_e944 <= _e946);
-                                            if _e951 {
+                                            let _e851 = phi_3393_;
+                                            let _e864 = ((_e851.member[0].x - _e330) * _e335);
+                                            let _e865 = ((_e851.member[0].y - _e330) * _e335);
+                                            let _e866 = ((_e851.member[0].z - _e331) * _e335);
+                                            let _e867 = ((_e851.member[0].w - _e331) * _e335);
+                                            let _e877 = ((_e851.member[1].x - _e366) * _e371);
+                                            let _e878 = ((_e851.member[1].y - _e366) * _e371);
+                                            let _e879 = ((_e851.member[1].z - _e367) * _e371);
+                                            let _e880 = ((_e851.member[1].w - _e367) * _e371);
+                                            let _e890 = ((_e851.member[2].x - _e402) * _e407);
+                                            let _e891 = ((_e851.member[2].y - _e402) * _e407);
+                                            let _e892 = ((_e851.member[2].z - _e403) * _e407);
+                                            let _e893 = ((_e851.member[2].w - _e403) * _e407);
+                                            let _e895 = select(_e892, _e890, (_e890 < _e892));
+                                            let _e897 = select(_e893, _e891, (_e891 < _e893));
+                                            let _e899 = select(_e892, _e890, (_e890 > _e892));
+                                            let _e901 = select(_e893, _e891, (_e891 > _e893));
+                                            let _e903 = select(_e866, _e864, (_e864 < _e866));
+                                            let _e905 = select(_e867, _e865, (_e865 < _e867));
+                                            let _e907 = select(_e879, _e877, (_e877 < _e879));
+                                            let _e909 = select(_e880, _e878, (_e878 < _e880));
+                                            let _e911 = select(_e907, _e903, (_e903 > _e907));
+                                            let _e913 = select(_e909, _e905, (_e905 > _e909));
+                                            let _e915 = select(_e895, _e911, (_e911 > _e895));
+                                            let _e917 = select(_e897, _e913, (_e913 > _e897));
+                                            let _e919 = select(_e866, _e864, (_e864 > _e866));
+                                            let _e921 = select(_e867, _e865, (_e865 > _e867));
+                                            let _e923 = select(_e879, _e877, (_e877 > _e879));
+                                            let _e925 = select(_e880, _e878, (_e878 > _e880));
+                                            let _e927 = select(_e923, _e919, (_e919 < _e923));
+                                            let _e929 = select(_e925, _e921, (_e921 < _e925));
+                                            let _e934 = -(_e895);
+                                            let _e935 = -(_e897);
+                                            let _e942 = (select(_e899, _e927, (_e927 < _e899)) + (select(_e934, _e899, (_e899 > _e934)) * 0.0000019073523f));
+                                            let _e943 = (select(_e901, _e929, (_e929 < _e901)) + (select(_e935, _e901, (_e901 > _e935)) * 0.0000019073523f));
+                                            let _e945 = select(_e453, _e915, (_e915 > _e453));
+                                            let _e947 = select(_e453, _e917, (_e917 > _e453));
+                                            let _e952 = (_e945 <= select(_e502.member.member_1, _e942, (_e942 < _e502.member.member_1)));
+                                            let _e953 = (_e947 <= select(_e502.member.member_1, _e943, (_e943 < _e502.member.member_1)));
+                                            let _e954 = (_e945 <= _e947);
+                                            if _e952 {
+                                                if _e953 {
+                                                    if _e954 {
+                                                        phi_3737_ = _e851.member_2;
+                                                    } else {
+                                                        phi_3737_ = _e851.member_1;
+                                                    }
+                                                    let _e958 = phi_3737_;
+                                                    let _e980 = (_e546 % 128u);
+                                                    let _e981 = (_e980 < 128u);
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_8[_e980] = _e958.member_1;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_7[_e980] = _e958.member.member.x;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_6[_e980] = _e958.member.member.y;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e980] = _e958.member.member.z;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e980] = _e958.member.member_1.x;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e980] = _e958.member.member_1.y;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e980] = _e958.member.member_1.z;
+                                                    if _e981 {
+                                                    } else {
+                                                        phi_4403_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e980] = select(_e947, _e945, (_e945 > _e947));
+                                                    if _e954 {
+                                                        phi_3814_ = _e851.member_1;
+                                                    } else {
+                                                        phi_3814_ = _e851.member_2;
+                                                    }
+                                                    let _e994 = phi_3814_;
+                                                    phi_3815_ = _e994;
+                                                    phi_3816_ = (_e546 + 1u);
+                                                } else {
+                                                    phi_3815_ = type_49();
+                                                    phi_3816_ = u32();
+                                                }
+                                                let _e996 = phi_3815_;
+                                                let _e998 = phi_3816_;
+                                                phi_3818_ = _e996;
+                                                phi_3819_ = _e998;
+                                                phi_3820_ = select(true, false, _e953);
+                                            } else {
+                                                phi_3818_ = type_49();
+                                                phi_3819_ = u32();
+                                                phi_3820_ = true;
+                                            }
+                                            let _e1001 = phi_3818_;
+                                            let _e1003 = phi_3819_;
+                                            let _e1005 = phi_3820_;
+                                            if _e1005 {
                                                 if _e952 {
-                                                    if _e953 {
-                                                        phi_3739_ = _e850.member_2;
-                                                    } else {
-                                                        phi_3739_ = _e850.member_1;
-                                                    }
-                                                    let _e957 = phi_3739_;
-                                                    let _e979 = (_e545 % 128u);
-                                                    let _e980 = (_e979 < 128u);
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_8[_e979] = _e957.member_1;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_7[_e979] = _e957.member.member.x;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_6[_e979] = _e957.member.member.y;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_5[_e979] = _e957.member.member.z;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_4[_e979] = _e957.member.member_1.x;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_3[_e979] = _e957.member.member_1.y;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_2[_e979] = _e957.member.member_1.z;
-                                                    if _e980 {
-                                                    } else {
-                                                        phi_4405_ = true;
-                                                        break;
-                                                    }
-                                                    local_9[_e979] = select(_e946, _e944, (_e944 > _e946));
-                                                    if _e953 {
-                                                        phi_3816_ = _e850.member_1;
-                                                    } else {
-                                                        phi_3816_ = _e850.member_2;
-                                                    }
-                                                    let _e993 = phi_3816_;
-                                                    phi_3817_ = _e993;
-                                                    phi_3818_ = (_e545 + 1u);
+                                                    phi_3829_ = _e851.member_1;
                                                 } else {
-                                                    phi_3817_ = type_49();
-                                                    phi_3818_ = u32();
+                                                    phi_3829_ = _e851.member_2;
                                                 }
-                                                let _e995 = phi_3817_;
-                                                let _e997 = phi_3818_;
-                                                phi_3820_ = _e995;
-                                                phi_3821_ = _e997;
-                                                phi_3822_ = select(true, false, _e952);
+                                                let _e1009 = phi_3829_;
+                                                phi_3834_ = _e1009;
+                                                phi_3835_ = select(_e953, true, _e952);
                                             } else {
-                                                phi_3820_ = type_49();
-                                                phi_3821_ = u32();
-                                                phi_3822_ = true;
+                                                phi_3834_ = _e1001;
+                                                phi_3835_ = _e544;
                                             }
-                                            let _e1000 = phi_3820_;
-                                            let _e1002 = phi_3821_;
-                                            let _e1004 = phi_3822_;
-                                            if _e1004 {
-                                                if _e951 {
-                                                    phi_3831_ = _e850.member_1;
-                                                } else {
-                                                    phi_3831_ = _e850.member_2;
-                                                }
-                                                let _e1008 = phi_3831_;
-                                                phi_3836_ = _e1008;
-                                                phi_3837_ = select(_e952, true, _e951);
-                                            } else {
-                                                phi_3836_ = _e1000;
-                                                phi_3837_ = _e543;
-                                            }
-                                            let _e1011 = phi_3836_;
-                                            let _e1013 = phi_3837_;
-                                            phi_4409_ = _e499;
-                                            phi_3839_ = type_42(_e501.member, (_e501.member_1 + 1u), _e501.member_2);
-                                            phi_3840_ = _e1011;
-                                            phi_3841_ = _e1013;
-                                            phi_3842_ = select(_e1002, _e545, _e1004);
+                                            let _e1012 = phi_3834_;
+                                            let _e1014 = phi_3835_;
+                                            phi_4407_ = _e500;
+                                            phi_3837_ = type_42(_e502.member, (_e502.member_1 + 1u), _e502.member_2);
+                                            phi_3838_ = _e1012;
+                                            phi_3839_ = _e1014;
+                                            phi_3840_ = select(_e1003, _e546, _e1005);
                                         }
-                                        let _e1950 = phi_4409_;
-                                        let _e1952 = phi_3839_;
-                                        let _e1954 = phi_3840_;
-                                        let _e1956 = phi_3841_;
-                                        let _e1958 = phi_3842_;
-                                        phi_4408_ = _e1950;
-                                        phi_3843_ = _e1952;
-                                        phi_3844_ = _e1954;
-                                        phi_3845_ = (_e505 - 1u);
-                                        phi_3846_ = _e1956;
-                                        phi_3847_ = _e1958;
+                                        let _e1952 = phi_4407_;
+                                        let _e1954 = phi_3837_;
+                                        let _e1956 = phi_3838_;
+                                        let _e1958 = phi_3839_;
+                                        let _e1960 = phi_3840_;
+                                        phi_4406_ = _e1952;
+                                        phi_3841_ = _e1954;
+                                        phi_3842_ = _e1956;
+                                        phi_3843_ = (_e506 - 1u);
+                                        phi_3844_ = _e1958;
+                                        phi_3845_ = _e1960;
                                     } else {
-                                        phi_4408_ = _e499;
-                                        phi_3843_ = _e501;
-                                        phi_3844_ = _e541;
-                                        phi_3845_ = _e505;
-                                        phi_3846_ = _e543;
-                                        phi_3847_ = _e545;
+                                        phi_4406_ = _e500;
+                                        phi_3841_ = _e502;
+                                        phi_3842_ = _e542;
+                                        phi_3843_ = _e506;
+                                        phi_3844_ = _e544;
+                                        phi_3845_ = _e546;
                                     }
-                                    let _e1960 = phi_4408_;
-                                    let _e1962 = phi_3843_;
-                                    let _e1964 = phi_3844_;
-                                    let _e1966 = phi_3845_;
-                                    let _e1968 = phi_3846_;
-                                    let _e1970 = phi_3847_;
-                                    phi_4407_ = _e1960;
-                                    phi_3848_ = _e1962;
-                                    phi_3849_ = _e1964;
-                                    phi_3850_ = _e1966;
-                                    phi_3851_ = _e1968;
-                                    phi_3852_ = _e1970;
+                                    let _e1962 = phi_4406_;
+                                    let _e1964 = phi_3841_;
+                                    let _e1966 = phi_3842_;
+                                    let _e1968 = phi_3843_;
+                                    let _e1970 = phi_3844_;
+                                    let _e1972 = phi_3845_;
+                                    phi_4405_ = _e1962;
+                                    phi_3846_ = _e1964;
+                                    phi_3847_ = _e1966;
+                                    phi_3848_ = _e1968;
+                                    phi_3849_ = _e1970;
+                                    phi_3850_ = _e1972;
                                 } else {
-                                    phi_4407_ = _e499;
-                                    phi_3848_ = type_42();
-                                    phi_3849_ = type_49();
+                                    phi_4405_ = _e500;
+                                    phi_3846_ = type_42();
+                                    phi_3847_ = type_49();
+                                    phi_3848_ = u32();
+                                    phi_3849_ = bool();
                                     phi_3850_ = u32();
-                                    phi_3851_ = bool();
-                                    phi_3852_ = u32();
                                 }
-                                let _e1972 = phi_4407_;
-                                let _e1974 = phi_3848_;
-                                let _e1976 = phi_3849_;
-                                let _e1978 = phi_3850_;
-                                let _e1980 = phi_3851_;
-                                let _e1982 = phi_3852_;
-                                phi_4406_ = _e1972;
-                                phi_870_ = _e1974;
-                                phi_873_ = _e1976;
-                                phi_875_ = _e1978;
-                                phi_877_ = _e1980;
-                                phi_879_ = _e1982;
-                                phi_3853_ = _e513;
+                                let _e1974 = phi_4405_;
+                                let _e1976 = phi_3846_;
+                                let _e1978 = phi_3847_;
+                                let _e1980 = phi_3848_;
+                                let _e1982 = phi_3849_;
+                                let _e1984 = phi_3850_;
+                                phi_4404_ = _e1974;
+                                phi_871_ = _e1976;
+                                phi_874_ = _e1978;
+                                phi_876_ = _e1980;
+                                phi_878_ = _e1982;
+                                phi_880_ = _e1984;
+                                phi_3851_ = _e514;
                             } else {
-                                phi_4406_ = _e499;
-                                phi_870_ = type_42();
-                                phi_873_ = type_49();
-                                phi_875_ = u32();
-                                phi_877_ = bool();
-                                phi_879_ = u32();
-                                phi_3853_ = false;
+                                phi_4404_ = _e500;
+                                phi_871_ = type_42();
+                                phi_874_ = type_49();
+                                phi_876_ = u32();
+                                phi_878_ = bool();
+                                phi_880_ = u32();
+                                phi_3851_ = false;
                             }
-                            let _e1984 = phi_4406_;
-                            let _e1986 = phi_870_;
-                            let _e1988 = phi_873_;
-                            let _e1990 = phi_875_;
-                            let _e1992 = phi_877_;
-                            let _e1994 = phi_879_;
-                            let _e1996 = phi_3853_;
+                            let _e1986 = phi_4404_;
+                            let _e1988 = phi_871_;
+                            let _e1990 = phi_874_;
+                            let _e1992 = phi_876_;
+                            let _e1994 = phi_878_;
+                            let _e1996 = phi_880_;
+                            let _e1998 = phi_3851_;
                             continue;
                             continuing {
-                                phi_4222_ = _e1984;
-                                phi_869_ = _e1986;
-                                phi_872_ = _e1988;
-                                phi_874_ = _e1990;
-                                phi_876_ = _e1992;
-                                phi_878_ = _e1994;
-                                phi_4405_ = _e1984;
-                                break if !(_e1996);
+                                phi_4220_ = _e1986;
+                                phi_870_ = _e1988;
+                                phi_873_ = _e1990;
+                                phi_875_ = _e1992;
+                                phi_877_ = _e1994;
+                                phi_879_ = _e1996;
+                                phi_4403_ = _e1986;
+                                break if !(_e1998);
                             }
                         }
-                        let _e1999 = phi_4405_;
-                        if _e1999 {
+                        let _e2001 = phi_4403_;
+                        if _e2001 {
                             break;
                         }
-                        let _e2001 = local_10;
-                        if (_e2001.member.member.member_3 != 4294967295u) {
-                            let _e2007 = (_e276 / 3i);
-                            let _e2014 = bitcast<f32>((bitcast<u32>((_e2007 + 127i)) << bitcast<u32>(23i)));
-                            let _e2022 = (((_e2001.member.member.member * _e2014) * _e2014) * bitcast<f32>((bitcast<u32>(((_e276 - (2i * _e2007)) + 127i)) << bitcast<u32>(23i))));
-                            let _e2024 = select(340282350000000000000000000000000000000f, _e2022, (_e2022 < 340282350000000000000000000000000000000f));
-                            phi_3905_ = type_22(select(-340282350000000000000000000000000000000f, _e2024, (_e2024 > -340282350000000000000000000000000000000f)), _e2001.member.member.member_1, _e2001.member.member.member_2, _e2001.member.member.member_3);
+                        let _e2003 = local_10;
+                        if (_e2003.member.member.member_3 != 4294967295u) {
+                            let _e2009 = (_e277 / 3i);
+                            let _e2016 = bitcast<f32>((bitcast<u32>((_e2009 + 127i)) << bitcast<u32>(23i)));
+                            let _e2024 = (((_e2003.member.member.member * _e2016) * _e2016) * bitcast<f32>((bitcast<u32>(((_e277 - (2i * _e2009)) + 127i)) << bitcast<u32>(23i))));
+                            let _e2026 = select(340282350000000000000000000000000000000f, _e2024, (_e2024 < 340282350000000000000000000000000000000f));
+                            phi_3903_ = type_22(select(-340282350000000000000000000000000000000f, _e2026, (_e2026 > -340282350000000000000000000000000000000f)), _e2003.member.member.member_1, _e2003.member.member.member_2, _e2003.member.member.member_3);
                         } else {
-                            phi_3905_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3903_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e2031 = phi_3905_;
-                        if _e152 {
-                        } else {
-                            break;
-                        }
-                        global_1.member[_e136] = _e2031;
-                        let _e2035 = local_11;
+                        let _e2033 = phi_3903_;
                         if _e153 {
                         } else {
                             break;
                         }
-                        global_5.member[_e136] = _e2035.member_1;
-                        if _e151 {
+                        global_1.member[_e137] = _e2033;
+                        let _e2037 = local_11;
+                        if _e154 {
                         } else {
                             break;
                         }
-                        let _e2040 = select(0u, 1u, (_e220 <= _e230));
-                        if (_e2040 > 0u) {
-                            let _e2042 = (1u < _e104);
-                            if _e2042 {
-                                if (0u < _e104) {
+                        global_5.member[_e137] = _e2037.member_1;
+                        if _e152 {
+                        } else {
+                            break;
+                        }
+                        let _e2042 = select(0u, 1u, (_e221 <= _e231));
+                        if (_e2042 > 0u) {
+                            let _e2044 = (1u < _e105);
+                            if _e2044 {
+                                if (0u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e2046 = atomicAdd((&global_6.member[0u]), _e2040);
-                                if ((_e2046 + _e2040) < _e2046) {
-                                    if _e2042 {
+                                let _e2048 = atomicAdd((&global_6.member[0u]), _e2042);
+                                if ((_e2048 + _e2042) < _e2048) {
+                                    if _e2044 {
                                     } else {
                                         break;
                                     }
-                                    let _e2051 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e2053 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e2054 = select(0u, 1u, (_e2031.member_3 != 4294967295u));
-                        if (_e2054 > 0u) {
-                            let _e2056 = (3u < _e104);
-                            if _e2056 {
-                                if (2u < _e104) {
+                        let _e2056 = select(0u, 1u, (_e2033.member_3 != 4294967295u));
+                        if (_e2056 > 0u) {
+                            let _e2058 = (3u < _e105);
+                            if _e2058 {
+                                if (2u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e2060 = atomicAdd((&global_6.member[2u]), _e2054);
-                                if ((_e2060 + _e2054) < _e2060) {
-                                    if _e2056 {
+                                let _e2062 = atomicAdd((&global_6.member[2u]), _e2056);
+                                if ((_e2062 + _e2056) < _e2062) {
+                                    if _e2058 {
                                     } else {
                                         break;
                                     }
-                                    let _e2065 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e2067 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e2035.member_1 > 0u) {
-                            let _e2067 = (5u < _e104);
-                            if _e2067 {
-                                if (4u < _e104) {
+                        if (_e2037.member_1 > 0u) {
+                            let _e2069 = (5u < _e105);
+                            if _e2069 {
+                                if (4u < _e105) {
                                 } else {
                                     break;
                                 }
-                                let _e2071 = atomicAdd((&global_6.member[4u]), _e2035.member_1);
-                                if ((_e2071 + _e2035.member_1) < _e2071) {
-                                    if _e2067 {
+                                let _e2073 = atomicAdd((&global_6.member[4u]), _e2037.member_1);
+                                if ((_e2073 + _e2037.member_1) < _e2073) {
+                                    if _e2069 {
                                     } else {
                                         break;
                                     }
-                                    let _e2076 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e2078 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

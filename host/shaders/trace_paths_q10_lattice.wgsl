@@ -118,477 +118,479 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_333_: u32;
-    var phi_377_: i32;
-    var phi_401_: type_39;
-    var phi_507_: i32;
+    var phi_334_: u32;
+    var phi_378_: i32;
+    var phi_402_: type_39;
     var phi_508_: i32;
-    var phi_518_: bool;
-    var phi_528_: u32;
+    var phi_509_: i32;
+    var phi_519_: bool;
     var phi_529_: u32;
-    var phi_531_: bool;
-    var phi_536_: u32;
-    var phi_568_: i32;
-    var phi_586_: f32;
-    var phi_592_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_632_: f32;
-    var phi_643_: f32;
-    var phi_652_: f32;
-    var phi_658_: f32;
-    var phi_669_: f32;
-    var phi_675_: f32;
-    var phi_698_: f32;
-    var phi_709_: f32;
-    var phi_718_: f32;
-    var phi_724_: f32;
-    var phi_735_: f32;
-    var phi_741_: f32;
-    var phi_764_: f32;
-    var phi_775_: f32;
-    var phi_875_: f32;
+    var phi_530_: u32;
+    var phi_532_: bool;
+    var phi_537_: u32;
+    var phi_569_: i32;
+    var phi_587_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
+    var phi_610_: f32;
+    var phi_633_: f32;
+    var phi_644_: f32;
+    var phi_653_: f32;
+    var phi_659_: f32;
+    var phi_670_: f32;
+    var phi_676_: f32;
+    var phi_699_: f32;
+    var phi_710_: f32;
+    var phi_719_: f32;
+    var phi_725_: f32;
+    var phi_736_: f32;
+    var phi_742_: f32;
+    var phi_765_: f32;
+    var phi_776_: f32;
     var phi_876_: f32;
-    var phi_4596_: bool;
-    var phi_965_: type_42;
-    var phi_968_: type_57;
-    var phi_970_: u32;
-    var phi_972_: bool;
-    var phi_974_: u32;
-    var phi_985_: bool;
-    var phi_1071_: type_57;
-    var phi_1072_: bool;
-    var phi_1073_: u32;
-    var phi_3508_: u32;
-    var phi_3514_: u32;
-    var phi_3768_: u32;
-    var phi_3769_: u32;
-    var phi_3779_: u32;
-    var phi_3781_: u32;
-    var phi_3782_: bool;
-    var phi_3802_: u32;
-    var phi_3803_: u32;
-    var phi_3807_: type_58;
-    var phi_4151_: type_57;
-    var phi_4228_: type_57;
-    var phi_4229_: type_57;
-    var phi_4230_: u32;
-    var phi_4232_: type_57;
-    var phi_4233_: u32;
-    var phi_4234_: bool;
-    var phi_4243_: type_57;
-    var phi_4248_: type_57;
-    var phi_4249_: bool;
-    var phi_1092_: type_42;
-    var phi_1095_: type_8;
-    var phi_1096_: type_8;
-    var phi_1118_: type_8;
-    var phi_1159_: u32;
-    var phi_1165_: u32;
-    var phi_1175_: u32;
-    var phi_1191_: u32;
-    var phi_1224_: u32;
-    var phi_1230_: u32;
-    var phi_1657_: u32;
-    var phi_1675_: u32;
-    var phi_1693_: u32;
-    var phi_1713_: u32;
-    var phi_1731_: u32;
-    var phi_1749_: u32;
-    var phi_1769_: u32;
-    var phi_1787_: u32;
-    var phi_1805_: u32;
-    var phi_1383_: u32;
-    var phi_1398_: u32;
-    var phi_1408_: u32;
-    var phi_1428_: u32;
-    var phi_1448_: u32;
-    var phi_1474_: u32;
-    var phi_1489_: u32;
-    var phi_1499_: u32;
-    var phi_1519_: u32;
-    var phi_1539_: u32;
-    var phi_1565_: u32;
-    var phi_1580_: u32;
-    var phi_1590_: u32;
-    var phi_1610_: u32;
-    var phi_1630_: u32;
-    var phi_1254_: u32;
-    var phi_1297_: u32;
-    var phi_1340_: u32;
-    var phi_1811_: array<array<f32, 3>, 3>;
-    var phi_1928_: bool;
-    var phi_1957_: bool;
-    var phi_2358_: f32;
-    var phi_2359_: f32;
-    var phi_2360_: f32;
-    var phi_2361_: f32;
-    var phi_2362_: vec3<f32>;
-    var phi_2363_: vec3<f32>;
-    var phi_2364_: vec3<f32>;
-    var phi_2365_: vec3<f32>;
-    var phi_2396_: bool;
-    var phi_2405_: vec3<f32>;
-    var phi_2572_: bool;
-    var phi_2596_: f32;
-    var phi_2597_: f32;
-    var phi_2620_: type_25;
-    var phi_2622_: type_25;
-    var phi_2623_: bool;
-    var phi_2627_: type_25;
-    var phi_2628_: type_25;
-    var phi_2629_: type_25;
-    var phi_2630_: bool;
-    var phi_2634_: type_25;
-    var phi_2635_: bool;
-    var phi_2636_: type_25;
-    var phi_2637_: bool;
-    var phi_2638_: bool;
-    var phi_2639_: type_25;
-    var phi_2640_: bool;
-    var phi_2641_: bool;
-    var phi_2649_: type_25;
-    var phi_2650_: bool;
-    var phi_2654_: type_25;
-    var phi_2677_: u32;
-    var phi_2691_: i32;
-    var phi_2711_: vec3<f32>;
-    var phi_2712_: vec3<f32>;
-    var phi_2728_: vec3<f32>;
-    var phi_2729_: vec3<f32>;
-    var phi_2745_: vec3<f32>;
-    var phi_2746_: vec3<f32>;
-    var phi_2782_: vec3<f32>;
-    var phi_2964_: f32;
-    var phi_2982_: bool;
-    var phi_2983_: bool;
-    var phi_3002_: bool;
-    var phi_3003_: bool;
-    var phi_3009_: type_42;
-    var phi_3010_: type_42;
-    var phi_3011_: type_42;
-    var phi_1093_: type_42;
-    var phi_4590_: bool;
-    var phi_4807_: bool;
-    var phi_4251_: type_42;
-    var phi_4252_: type_57;
-    var phi_4253_: bool;
-    var phi_4254_: u32;
-    var phi_4806_: bool;
-    var phi_4255_: type_42;
-    var phi_4256_: type_57;
-    var phi_4257_: u32;
-    var phi_4258_: bool;
-    var phi_4259_: u32;
-    var phi_4805_: bool;
-    var phi_4260_: type_42;
-    var phi_4261_: type_57;
-    var phi_4262_: u32;
-    var phi_4263_: bool;
-    var phi_4264_: u32;
-    var phi_4804_: bool;
+    var phi_877_: f32;
+    var phi_4594_: bool;
     var phi_966_: type_42;
     var phi_969_: type_57;
     var phi_971_: u32;
     var phi_973_: bool;
     var phi_975_: u32;
-    var phi_4265_: bool;
+    var phi_986_: bool;
+    var phi_1072_: type_57;
+    var phi_1073_: bool;
+    var phi_1074_: u32;
+    var phi_3506_: u32;
+    var phi_3512_: u32;
+    var phi_3766_: u32;
+    var phi_3767_: u32;
+    var phi_3777_: u32;
+    var phi_3779_: u32;
+    var phi_3780_: bool;
+    var phi_3800_: u32;
+    var phi_3801_: u32;
+    var phi_3805_: type_58;
+    var phi_4149_: type_57;
+    var phi_4226_: type_57;
+    var phi_4227_: type_57;
+    var phi_4228_: u32;
+    var phi_4230_: type_57;
+    var phi_4231_: u32;
+    var phi_4232_: bool;
+    var phi_4241_: type_57;
+    var phi_4246_: type_57;
+    var phi_4247_: bool;
+    var phi_1093_: type_42;
+    var phi_1096_: type_8;
+    var phi_1097_: type_8;
+    var phi_1119_: type_8;
+    var phi_1160_: u32;
+    var phi_1166_: u32;
+    var phi_1176_: u32;
+    var phi_1192_: u32;
+    var phi_1225_: u32;
+    var phi_1231_: u32;
+    var phi_1658_: u32;
+    var phi_1676_: u32;
+    var phi_1694_: u32;
+    var phi_1714_: u32;
+    var phi_1732_: u32;
+    var phi_1750_: u32;
+    var phi_1770_: u32;
+    var phi_1788_: u32;
+    var phi_1806_: u32;
+    var phi_1384_: u32;
+    var phi_1399_: u32;
+    var phi_1409_: u32;
+    var phi_1429_: u32;
+    var phi_1449_: u32;
+    var phi_1475_: u32;
+    var phi_1490_: u32;
+    var phi_1500_: u32;
+    var phi_1520_: u32;
+    var phi_1540_: u32;
+    var phi_1566_: u32;
+    var phi_1581_: u32;
+    var phi_1591_: u32;
+    var phi_1611_: u32;
+    var phi_1631_: u32;
+    var phi_1255_: u32;
+    var phi_1298_: u32;
+    var phi_1341_: u32;
+    var phi_1812_: array<array<f32, 3>, 3>;
+    var phi_1929_: bool;
+    var phi_1958_: bool;
+    var phi_2359_: f32;
+    var phi_2360_: f32;
+    var phi_2361_: f32;
+    var phi_2362_: f32;
+    var phi_2363_: vec3<f32>;
+    var phi_2364_: vec3<f32>;
+    var phi_2365_: vec3<f32>;
+    var phi_2366_: vec3<f32>;
+    var phi_2397_: bool;
+    var phi_2406_: vec3<f32>;
+    var phi_2571_: f32;
+    var phi_2573_: f32;
+    var phi_2574_: bool;
+    var phi_2594_: f32;
+    var phi_2595_: f32;
+    var phi_2618_: type_25;
+    var phi_2620_: type_25;
+    var phi_2621_: bool;
+    var phi_2625_: type_25;
+    var phi_2626_: type_25;
+    var phi_2627_: type_25;
+    var phi_2628_: bool;
+    var phi_2632_: type_25;
+    var phi_2633_: bool;
+    var phi_2634_: type_25;
+    var phi_2635_: bool;
+    var phi_2636_: bool;
+    var phi_2637_: type_25;
+    var phi_2638_: bool;
+    var phi_2639_: bool;
+    var phi_2647_: type_25;
+    var phi_2648_: bool;
+    var phi_2652_: type_25;
+    var phi_2675_: u32;
+    var phi_2689_: i32;
+    var phi_2709_: vec3<f32>;
+    var phi_2710_: vec3<f32>;
+    var phi_2726_: vec3<f32>;
+    var phi_2727_: vec3<f32>;
+    var phi_2743_: vec3<f32>;
+    var phi_2744_: vec3<f32>;
+    var phi_2780_: vec3<f32>;
+    var phi_2962_: f32;
+    var phi_2980_: bool;
+    var phi_2981_: bool;
+    var phi_3000_: bool;
+    var phi_3001_: bool;
+    var phi_3007_: type_42;
+    var phi_3008_: type_42;
+    var phi_3009_: type_42;
+    var phi_1094_: type_42;
+    var phi_4588_: bool;
+    var phi_4805_: bool;
+    var phi_4249_: type_42;
+    var phi_4250_: type_57;
+    var phi_4251_: bool;
+    var phi_4252_: u32;
+    var phi_4804_: bool;
+    var phi_4253_: type_42;
+    var phi_4254_: type_57;
+    var phi_4255_: u32;
+    var phi_4256_: bool;
+    var phi_4257_: u32;
     var phi_4803_: bool;
+    var phi_4258_: type_42;
+    var phi_4259_: type_57;
+    var phi_4260_: u32;
+    var phi_4261_: bool;
+    var phi_4262_: u32;
+    var phi_4802_: bool;
+    var phi_967_: type_42;
+    var phi_970_: type_57;
+    var phi_972_: u32;
+    var phi_974_: bool;
+    var phi_976_: u32;
+    var phi_4263_: bool;
+    var phi_4801_: bool;
     var local_10: type_42;
-    var phi_4317_: type_25;
+    var phi_4315_: type_25;
     var local_11: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e100 = global;
-            let _e102 = arrayLength((&global_4.member));
-            let _e105 = arrayLength((&global_10.member));
-            let _e117 = arrayLength((&global_9.member));
-            let _e121 = global_3.member[0u][0u];
-            let _e125 = global_3.member[0u][1u];
-            let _e129 = global_3.member[0u][2u];
-            let _e133 = global_3.member[0u][3u];
-            let _e137 = global_3.member[1u][0u];
-            let _e141 = global_3.member[1u][1u];
-            let _e145 = global_3.member[1u][2u];
-            let _e149 = (_e100.x + (_e100.y * 2097152u));
-            let _e161 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e133) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
-            local = array<i32, 3>(bitcast<i32>(_e137), bitcast<i32>(_e141), bitcast<i32>(_e145));
-            let _e164 = (_e149 < arrayLength((&global_7.member)));
-            if _e164 {
-                if _e164 {
+            let _e101 = global;
+            let _e103 = arrayLength((&global_4.member));
+            let _e106 = arrayLength((&global_10.member));
+            let _e118 = arrayLength((&global_9.member));
+            let _e122 = global_3.member[0u][0u];
+            let _e126 = global_3.member[0u][1u];
+            let _e130 = global_3.member[0u][2u];
+            let _e134 = global_3.member[0u][3u];
+            let _e138 = global_3.member[1u][0u];
+            let _e142 = global_3.member[1u][1u];
+            let _e146 = global_3.member[1u][2u];
+            let _e150 = (_e101.x + (_e101.y * 2097152u));
+            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
+            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
+            let _e165 = (_e150 < arrayLength((&global_7.member)));
+            if _e165 {
+                if _e165 {
                 } else {
                     break;
                 }
-                let _e168 = global_7.member[_e149].member_2;
-                phi_333_ = _e168;
+                let _e169 = global_7.member[_e150].member_2;
+                phi_334_ = _e169;
             } else {
-                phi_333_ = 4294967295u;
+                phi_334_ = 4294967295u;
             }
-            let _e170 = phi_333_;
-            let _e173 = global_1.member[0u];
-            let _e177 = global_2.member[0u][0u];
-            let _e181 = global_2.member[0u][1u];
-            let _e185 = global_2.member[0u][2u];
-            let _e189 = global_2.member[0u][3u];
-            let _e193 = global_2.member[1u][0u];
-            let _e197 = global_2.member[1u][1u];
-            let _e201 = global_2.member[1u][2u];
-            let _e205 = global_2.member[1u][3u];
-            let _e206 = bitcast<f32>(_e177);
-            let _e207 = bitcast<f32>(_e181);
-            let _e208 = bitcast<f32>(_e185);
-            let _e210 = bitcast<f32>(_e193);
-            let _e211 = array<u32, 3>(_e197, _e201, _e205);
-            let _e213 = bitcast<i32>(_e173);
-            if (_e213 < -126i) {
-                phi_377_ = -126i;
+            let _e171 = phi_334_;
+            let _e174 = global_1.member[0u];
+            let _e178 = global_2.member[0u][0u];
+            let _e182 = global_2.member[0u][1u];
+            let _e186 = global_2.member[0u][2u];
+            let _e190 = global_2.member[0u][3u];
+            let _e194 = global_2.member[1u][0u];
+            let _e198 = global_2.member[1u][1u];
+            let _e202 = global_2.member[1u][2u];
+            let _e206 = global_2.member[1u][3u];
+            let _e207 = bitcast<f32>(_e178);
+            let _e208 = bitcast<f32>(_e182);
+            let _e209 = bitcast<f32>(_e186);
+            let _e211 = bitcast<f32>(_e194);
+            let _e212 = array<u32, 3>(_e198, _e202, _e206);
+            let _e214 = bitcast<i32>(_e174);
+            if (_e214 < -126i) {
+                phi_378_ = -126i;
             } else {
-                phi_377_ = select(_e213, 127i, (_e213 > 127i));
+                phi_378_ = select(_e214, 127i, (_e214 > 127i));
             }
-            let _e218 = phi_377_;
-            let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
-            let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
-            if (_e189 == 0u) {
-                phi_401_ = type_39(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
+            let _e219 = phi_378_;
+            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
+            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
+            if (_e190 == 0u) {
+                phi_402_ = type_39(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
             } else {
-                phi_401_ = type_39(array<f32, 3>(((_e206 * _e223) * _e229), ((_e207 * _e223) * _e229), ((_e208 * _e223) * _e229)), _e189, ((_e210 * _e223) * _e229), _e211);
+                phi_402_ = type_39(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
             }
-            let _e242 = phi_401_;
-            if _e164 {
-                let _e243 = (_e149 < arrayLength((&global_8.member)));
-                if _e243 {
-                    if _e164 {
+            let _e243 = phi_402_;
+            if _e165 {
+                let _e244 = (_e150 < arrayLength((&global_8.member)));
+                if _e244 {
+                    if _e165 {
                     } else {
                         break;
                     }
-                    let _e253 = global_7.member[_e149].member.member_2[0u];
-                    let _e255 = (bitcast<u32>(_e253) & 2147483647u);
-                    let _e261 = global_7.member[_e149].member.member_2[1u];
-                    let _e263 = (bitcast<u32>(_e261) & 2147483647u);
-                    let _e269 = global_7.member[_e149].member.member_2[2u];
-                    let _e271 = (bitcast<u32>(_e269) & 2147483647u);
-                    let _e277 = global_7.member[_e149].member.member[0u];
-                    let _e279 = (bitcast<u32>(_e277) & 2147483647u);
-                    let _e285 = global_7.member[_e149].member.member[1u];
-                    let _e287 = (bitcast<u32>(_e285) & 2147483647u);
-                    let _e293 = global_7.member[_e149].member.member[2u];
-                    let _e295 = (bitcast<u32>(_e293) & 2147483647u);
-                    let _e297 = select(_e263, _e255, (_e263 < _e255));
-                    let _e299 = select(_e271, _e297, (_e271 < _e297));
-                    let _e301 = select(_e279, _e299, (_e279 < _e299));
-                    let _e303 = select(_e287, _e301, (_e287 < _e301));
-                    let _e305 = select(_e295, _e303, (_e295 < _e303));
-                    let _e310 = global_7.member[_e149].member.member_1;
-                    let _e312 = (bitcast<u32>(_e310) & 2147483647u);
-                    let _e320 = global_7.member[_e149].member.member_3;
-                    let _e326 = (((select(_e312, _e305, (_e312 < _e305)) < 2139095040u) && ((bitcast<u32>(_e320) & 2147483647u) <= 2139095040u)) && (_e299 > 0u));
-                    if _e326 {
-                        let _e329 = (bitcast<u32>(bitcast<f32>(_e299)) & 2147483647u);
-                        if (_e329 >= 8388608u) {
-                            phi_507_ = (bitcast<i32>((_e329 >> bitcast<u32>(23i))) - 127i);
+                    let _e254 = global_7.member[_e150].member.member_2[0u];
+                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
+                    let _e262 = global_7.member[_e150].member.member_2[1u];
+                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
+                    let _e270 = global_7.member[_e150].member.member_2[2u];
+                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
+                    let _e278 = global_7.member[_e150].member.member[0u];
+                    let _e280 = (bitcast<u32>(_e278) & 2147483647u);
+                    let _e286 = global_7.member[_e150].member.member[1u];
+                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
+                    let _e294 = global_7.member[_e150].member.member[2u];
+                    let _e296 = (bitcast<u32>(_e294) & 2147483647u);
+                    let _e298 = select(_e264, _e256, (_e264 < _e256));
+                    let _e300 = select(_e272, _e298, (_e272 < _e298));
+                    let _e302 = select(_e280, _e300, (_e280 < _e300));
+                    let _e304 = select(_e288, _e302, (_e288 < _e302));
+                    let _e306 = select(_e296, _e304, (_e296 < _e304));
+                    let _e311 = global_7.member[_e150].member.member_1;
+                    let _e313 = (bitcast<u32>(_e311) & 2147483647u);
+                    let _e321 = global_7.member[_e150].member.member_3;
+                    let _e327 = (((select(_e313, _e306, (_e313 < _e306)) < 2139095040u) && ((bitcast<u32>(_e321) & 2147483647u) <= 2139095040u)) && (_e300 > 0u));
+                    if _e327 {
+                        let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
+                        if (_e330 >= 8388608u) {
+                            phi_508_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_507_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e329)), 32u, (_e329 == 0u))));
+                            phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
                         }
-                        let _e343 = phi_507_;
-                        phi_508_ = _e343;
+                        let _e344 = phi_508_;
+                        phi_509_ = _e344;
                     } else {
-                        phi_508_ = 0i;
+                        phi_509_ = 0i;
                     }
-                    let _e345 = phi_508_;
-                    let _e346 = (_e255 == _e299);
-                    if _e346 {
-                        phi_518_ = true;
+                    let _e346 = phi_509_;
+                    let _e347 = (_e256 == _e300);
+                    if _e347 {
+                        phi_519_ = true;
                     } else {
-                        phi_518_ = (_e263 == _e299);
+                        phi_519_ = (_e264 == _e300);
                     }
-                    let _e349 = phi_518_;
-                    let _e350 = select(1u, 0u, _e346);
-                    if _e349 {
-                        let _e351 = (_e350 + 1u);
-                        phi_528_ = _e351;
-                        phi_529_ = _e351;
-                        phi_531_ = select(true, false, (_e351 == 2u));
+                    let _e350 = phi_519_;
+                    let _e351 = select(1u, 0u, _e347);
+                    if _e350 {
+                        let _e352 = (_e351 + 1u);
+                        phi_529_ = _e352;
+                        phi_530_ = _e352;
+                        phi_532_ = select(true, false, (_e352 == 2u));
                     } else {
-                        phi_528_ = u32();
-                        phi_529_ = 0u;
-                        phi_531_ = true;
+                        phi_529_ = u32();
+                        phi_530_ = 0u;
+                        phi_532_ = true;
                     }
-                    let _e355 = phi_528_;
-                    let _e357 = phi_529_;
-                    let _e359 = phi_531_;
-                    if _e359 {
-                        phi_536_ = (_e357 + 1u);
+                    let _e356 = phi_529_;
+                    let _e358 = phi_530_;
+                    let _e360 = phi_532_;
+                    if _e360 {
+                        phi_537_ = (_e358 + 1u);
                     } else {
-                        phi_536_ = 0u;
+                        phi_537_ = 0u;
                     }
-                    let _e363 = phi_536_;
-                    let _e364 = select(_e355, _e357, _e359);
-                    let _e365 = select(_e350, select(2u, _e350, _e349), _e359);
-                    let _e366 = -(_e345);
-                    if (_e366 < -126i) {
-                        phi_568_ = -126i;
+                    let _e364 = phi_537_;
+                    let _e365 = select(_e356, _e358, _e360);
+                    let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
+                    let _e367 = -(_e346);
+                    if (_e367 < -126i) {
+                        phi_569_ = -126i;
                     } else {
-                        phi_568_ = select(_e366, 127i, (_e366 > 127i));
+                        phi_569_ = select(_e367, 127i, (_e367 > 127i));
                     }
-                    let _e371 = phi_568_;
-                    let _e376 = bitcast<f32>((bitcast<u32>((_e371 + 127i)) << bitcast<u32>(23i)));
-                    let _e382 = bitcast<f32>((bitcast<u32>(((_e366 - _e371) + 127i)) << bitcast<u32>(23i)));
-                    let _e387 = global_7.member[_e149].member.member;
-                    let _e388 = (_e364 == 0u);
-                    if _e388 {
-                        phi_586_ = _e387[0];
+                    let _e372 = phi_569_;
+                    let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
+                    let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
+                    let _e388 = global_7.member[_e150].member.member;
+                    let _e389 = (_e365 == 0u);
+                    if _e389 {
+                        phi_587_ = _e388[0];
                     } else {
-                        phi_586_ = _e387[1];
+                        phi_587_ = _e388[1];
                     }
-                    let _e392 = phi_586_;
-                    let _e393 = (_e364 == 2u);
-                    if _e393 {
-                        phi_592_ = _e387[2];
+                    let _e393 = phi_587_;
+                    let _e394 = (_e365 == 2u);
+                    if _e394 {
+                        phi_593_ = _e388[2];
                     } else {
-                        phi_592_ = _e392;
+                        phi_593_ = _e393;
                     }
-                    let _e396 = phi_592_;
-                    let _e397 = global_7.member[_e149].member.member_2;
-                    if _e388 {
-                        phi_603_ = _e397[0];
+                    let _e397 = phi_593_;
+                    let _e398 = global_7.member[_e150].member.member_2;
+                    if _e389 {
+                        phi_604_ = _e398[0];
                     } else {
-                        phi_603_ = _e397[1];
+                        phi_604_ = _e398[1];
                     }
-                    let _e401 = phi_603_;
-                    if _e393 {
-                        phi_609_ = _e397[2];
+                    let _e402 = phi_604_;
+                    if _e394 {
+                        phi_610_ = _e398[2];
                     } else {
-                        phi_609_ = _e401;
+                        phi_610_ = _e402;
                     }
-                    let _e404 = phi_609_;
-                    let _e406 = ((_e404 * _e376) * _e382);
-                    let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e410 {
-                        let _e414 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) * 0.00000011920929f);
-                        phi_632_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
+                    let _e405 = phi_610_;
+                    let _e407 = ((_e405 * _e377) * _e383);
+                    let _e411 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e411 {
+                        let _e415 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
+                        phi_633_ = select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f));
                     } else {
-                        phi_632_ = 0f;
+                        phi_633_ = 0f;
                     }
-                    let _e418 = phi_632_;
-                    let _e419 = (_e396 + _e418);
-                    let _e420 = (_e396 - _e418);
-                    let _e421 = select(_e406, 0f, _e410);
-                    if _e410 {
-                        phi_643_ = 38685626000000000000000000f;
+                    let _e419 = phi_633_;
+                    let _e420 = (_e397 + _e419);
+                    let _e421 = (_e397 - _e419);
+                    let _e422 = select(_e407, 0f, _e411);
+                    if _e411 {
+                        phi_644_ = 38685626000000000000000000f;
                     } else {
-                        phi_643_ = (1f / _e406);
+                        phi_644_ = (1f / _e407);
                     }
-                    let _e424 = phi_643_;
-                    let _e425 = (_e363 == 0u);
-                    if _e425 {
-                        phi_652_ = _e387[0];
+                    let _e425 = phi_644_;
+                    let _e426 = (_e364 == 0u);
+                    if _e426 {
+                        phi_653_ = _e388[0];
                     } else {
-                        phi_652_ = _e387[1];
+                        phi_653_ = _e388[1];
                     }
-                    let _e429 = phi_652_;
-                    let _e430 = (_e363 == 2u);
-                    if _e430 {
-                        phi_658_ = _e387[2];
+                    let _e430 = phi_653_;
+                    let _e431 = (_e364 == 2u);
+                    if _e431 {
+                        phi_659_ = _e388[2];
                     } else {
-                        phi_658_ = _e429;
+                        phi_659_ = _e430;
                     }
-                    let _e433 = phi_658_;
-                    if _e425 {
-                        phi_669_ = _e397[0];
+                    let _e434 = phi_659_;
+                    if _e426 {
+                        phi_670_ = _e398[0];
                     } else {
-                        phi_669_ = _e397[1];
+                        phi_670_ = _e398[1];
                     }
-                    let _e437 = phi_669_;
-                    if _e430 {
-                        phi_675_ = _e397[2];
+                    let _e438 = phi_670_;
+                    if _e431 {
+                        phi_676_ = _e398[2];
                     } else {
-                        phi_675_ = _e437;
+                        phi_676_ = _e438;
                     }
-                    let _e440 = phi_675_;
-                    let _e442 = ((_e440 * _e376) * _e382);
-                    let _e446 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e446 {
-                        let _e450 = (bitcast<f32>((bitcast<u32>(_e433) & 2147483647u)) * 0.00000011920929f);
-                        phi_698_ = select(0.00000000000011368684f, _e450, (_e450 > 0.00000000000011368684f));
+                    let _e441 = phi_676_;
+                    let _e443 = ((_e441 * _e377) * _e383);
+                    let _e447 = (bitcast<f32>((bitcast<u32>(_e443) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e447 {
+                        let _e451 = (bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) * 0.00000011920929f);
+                        phi_699_ = select(0.00000000000011368684f, _e451, (_e451 > 0.00000000000011368684f));
                     } else {
-                        phi_698_ = 0f;
+                        phi_699_ = 0f;
                     }
-                    let _e454 = phi_698_;
-                    let _e455 = (_e433 + _e454);
-                    let _e456 = (_e433 - _e454);
-                    let _e457 = select(_e442, 0f, _e446);
-                    if _e446 {
-                        phi_709_ = 38685626000000000000000000f;
+                    let _e455 = phi_699_;
+                    let _e456 = (_e434 + _e455);
+                    let _e457 = (_e434 - _e455);
+                    let _e458 = select(_e443, 0f, _e447);
+                    if _e447 {
+                        phi_710_ = 38685626000000000000000000f;
                     } else {
-                        phi_709_ = (1f / _e442);
+                        phi_710_ = (1f / _e443);
                     }
-                    let _e460 = phi_709_;
-                    let _e461 = (_e365 == 0u);
-                    if _e461 {
-                        phi_718_ = _e387[0];
+                    let _e461 = phi_710_;
+                    let _e462 = (_e366 == 0u);
+                    if _e462 {
+                        phi_719_ = _e388[0];
                     } else {
-                        phi_718_ = _e387[1];
+                        phi_719_ = _e388[1];
                     }
-                    let _e465 = phi_718_;
-                    let _e466 = (_e365 == 2u);
-                    if _e466 {
-                        phi_724_ = _e387[2];
+                    let _e466 = phi_719_;
+                    let _e467 = (_e366 == 2u);
+                    if _e467 {
+                        phi_725_ = _e388[2];
                     } else {
-                        phi_724_ = _e465;
+                        phi_725_ = _e466;
                     }
-                    let _e469 = phi_724_;
-                    if _e461 {
-                        phi_735_ = _e397[0];
+                    let _e470 = phi_725_;
+                    if _e462 {
+                        phi_736_ = _e398[0];
                     } else {
-                        phi_735_ = _e397[1];
+                        phi_736_ = _e398[1];
                     }
-                    let _e473 = phi_735_;
-                    if _e466 {
-                        phi_741_ = _e397[2];
+                    let _e474 = phi_736_;
+                    if _e467 {
+                        phi_742_ = _e398[2];
                     } else {
-                        phi_741_ = _e473;
+                        phi_742_ = _e474;
                     }
-                    let _e476 = phi_741_;
-                    let _e478 = ((_e476 * _e376) * _e382);
-                    let _e482 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e482 {
-                        let _e486 = (bitcast<f32>((bitcast<u32>(_e469) & 2147483647u)) * 0.00000011920929f);
-                        phi_764_ = select(0.00000000000011368684f, _e486, (_e486 > 0.00000000000011368684f));
+                    let _e477 = phi_742_;
+                    let _e479 = ((_e477 * _e377) * _e383);
+                    let _e483 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e483 {
+                        let _e487 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) * 0.00000011920929f);
+                        phi_765_ = select(0.00000000000011368684f, _e487, (_e487 > 0.00000000000011368684f));
                     } else {
-                        phi_764_ = 0f;
+                        phi_765_ = 0f;
                     }
-                    let _e490 = phi_764_;
-                    let _e491 = (_e469 + _e490);
-                    let _e492 = (_e469 - _e490);
-                    let _e493 = select(_e478, 0f, _e482);
-                    if _e482 {
-                        phi_775_ = 38685626000000000000000000f;
+                    let _e491 = phi_765_;
+                    let _e492 = (_e470 + _e491);
+                    let _e493 = (_e470 - _e491);
+                    let _e494 = select(_e479, 0f, _e483);
+                    if _e483 {
+                        phi_776_ = 38685626000000000000000000f;
                     } else {
-                        phi_775_ = (1f / _e478);
+                        phi_776_ = (1f / _e479);
                     }
-                    let _e496 = phi_775_;
-                    let _e499 = bitcast<f32>((bitcast<u32>(_e396) & 2147483647u));
-                    let _e502 = bitcast<f32>((bitcast<u32>(_e433) & 2147483647u));
-                    let _e504 = select(_e502, _e499, (_e499 > _e502));
-                    let _e507 = bitcast<f32>((bitcast<u32>(_e469) & 2147483647u));
-                    if (_e326 && (select(_e507, _e504, (_e504 > _e507)) <= 1099511600000f)) {
-                        let _e512 = (_e345 / 3i);
-                        let _e519 = bitcast<f32>((bitcast<u32>((_e512 + 127i)) << bitcast<u32>(23i)));
-                        let _e526 = bitcast<f32>((bitcast<u32>(((_e345 - (2i * _e512)) + 127i)) << bitcast<u32>(23i)));
-                        let _e527 = (((_e310 * _e519) * _e519) * _e526);
-                        let _e529 = select(340282350000000000000000000000000000000f, _e527, (_e527 < 340282350000000000000000000000000000000f));
-                        let _e534 = (((_e320 * _e519) * _e519) * _e526);
-                        let _e536 = select(340282350000000000000000000000000000000f, _e534, (_e534 < 340282350000000000000000000000000000000f));
-                        phi_875_ = select(-340282350000000000000000000000000000000f, _e536, (_e536 > -340282350000000000000000000000000000000f));
-                        phi_876_ = select(-340282350000000000000000000000000000000f, _e529, (_e529 > -340282350000000000000000000000000000000f));
+                    let _e497 = phi_776_;
+                    let _e500 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
+                    let _e503 = bitcast<f32>((bitcast<u32>(_e434) & 2147483647u));
+                    let _e505 = select(_e503, _e500, (_e500 > _e503));
+                    let _e508 = bitcast<f32>((bitcast<u32>(_e470) & 2147483647u));
+                    if (_e327 && (select(_e508, _e505, (_e505 > _e508)) <= 1099511600000f)) {
+                        let _e513 = (_e346 / 3i);
+                        let _e520 = bitcast<f32>((bitcast<u32>((_e513 + 127i)) << bitcast<u32>(23i)));
+                        let _e527 = bitcast<f32>((bitcast<u32>(((_e346 - (2i * _e513)) + 127i)) << bitcast<u32>(23i)));
+                        let _e528 = (((_e311 * _e520) * _e520) * _e527);
+                        let _e530 = select(340282350000000000000000000000000000000f, _e528, (_e528 < 340282350000000000000000000000000000000f));
+                        let _e535 = (((_e321 * _e520) * _e520) * _e527);
+                        let _e537 = select(340282350000000000000000000000000000000f, _e535, (_e535 < 340282350000000000000000000000000000000f));
+                        phi_876_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
+                        phi_877_ = select(-340282350000000000000000000000000000000f, _e530, (_e530 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_875_ = 0f;
-                        phi_876_ = 1f;
+                        phi_876_ = 0f;
+                        phi_877_ = 1f;
                     }
-                    let _e540 = phi_875_;
-                    let _e542 = phi_876_;
+                    let _e541 = phi_876_;
+                    let _e543 = phi_877_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -597,1444 +599,1454 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e546 = (_e364 % 3u);
-                    let _e547 = (_e546 < 3u);
-                    if _e547 {
+                    let _e547 = (_e365 % 3u);
+                    let _e548 = (_e547 < 3u);
+                    if _e548 {
                     } else {
                         break;
                     }
-                    let _e549 = local_1[_e546];
-                    let _e552 = (_e363 % 3u);
-                    let _e553 = (_e552 < 3u);
-                    if _e553 {
+                    let _e550 = local_1[_e547];
+                    let _e553 = (_e364 % 3u);
+                    let _e554 = (_e553 < 3u);
+                    if _e554 {
                     } else {
                         break;
                     }
-                    let _e555 = local_1[_e552];
-                    let _e558 = (_e365 % 3u);
-                    let _e559 = (_e558 < 3u);
-                    if _e559 {
+                    let _e556 = local_1[_e553];
+                    let _e559 = (_e366 % 3u);
+                    let _e560 = (_e559 < 3u);
+                    if _e560 {
                     } else {
                         break;
                     }
-                    let _e561 = local_1[_e558];
-                    if _e547 {
+                    let _e562 = local_1[_e559];
+                    if _e548 {
                     } else {
                         break;
                     }
-                    let _e566 = local[_e546];
-                    if _e553 {
+                    let _e567 = local[_e547];
+                    if _e554 {
                     } else {
                         break;
                     }
-                    let _e570 = local[_e552];
-                    if _e559 {
+                    let _e571 = local[_e553];
+                    if _e560 {
                     } else {
                         break;
                     }
-                    let _e574 = local[_e558];
-                    phi_4596_ = false;
-                    phi_965_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e540);
-                    phi_968_ = type_57(type_37(vec4<f32>((f32(_e549) * _e161), (f32(_e555) * _e161), (f32(_e561) * _e161), 0f), vec4<f32>((f32(_e566) * _e161), (f32(_e570) * _e161), (f32(_e574) * _e161), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
-                    phi_970_ = ((3u * _e102) + 1u);
-                    phi_972_ = (_e542 <= _e540);
-                    phi_974_ = 0u;
+                    let _e575 = local[_e559];
+                    phi_4594_ = false;
+                    phi_966_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
+                    phi_969_ = type_57(type_37(vec4<f32>((f32(_e550) * _e162), (f32(_e556) * _e162), (f32(_e562) * _e162), 0f), vec4<f32>((f32(_e567) * _e162), (f32(_e571) * _e162), (f32(_e575) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                    phi_971_ = ((3u * _e103) + 1u);
+                    phi_973_ = (_e543 <= _e541);
+                    phi_975_ = 0u;
                     loop {
-                        let _e584 = phi_4596_;
-                        let _e586 = phi_965_;
-                        let _e588 = phi_968_;
-                        let _e590 = phi_970_;
-                        let _e592 = phi_972_;
-                        let _e594 = phi_974_;
-                        local_10 = _e586;
-                        if _e592 {
-                            phi_985_ = true;
+                        let _e585 = phi_4594_;
+                        let _e587 = phi_966_;
+                        let _e589 = phi_969_;
+                        let _e591 = phi_971_;
+                        let _e593 = phi_973_;
+                        let _e595 = phi_975_;
+                        local_10 = _e587;
+                        if _e593 {
+                            phi_986_ = true;
                         } else {
-                            phi_985_ = (_e594 > 0u);
+                            phi_986_ = (_e595 > 0u);
                         }
-                        let _e597 = phi_985_;
-                        if _e597 {
-                            let _e598 = (_e590 > 0u);
-                            if _e598 {
-                                if _e592 {
-                                    phi_1071_ = _e588;
-                                    phi_1072_ = _e592;
-                                    phi_1073_ = _e594;
+                        let _e598 = phi_986_;
+                        if _e598 {
+                            let _e599 = (_e591 > 0u);
+                            if _e599 {
+                                if _e593 {
+                                    phi_1072_ = _e589;
+                                    phi_1073_ = _e593;
+                                    phi_1074_ = _e595;
                                 } else {
-                                    let _e599 = (_e594 - 1u);
-                                    let _e600 = (_e599 % 128u);
-                                    let _e601 = (_e600 < 128u);
-                                    if _e601 {
+                                    let _e600 = (_e595 - 1u);
+                                    let _e601 = (_e600 % 128u);
+                                    let _e602 = (_e601 < 128u);
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e603 = local_7[_e600];
-                                    if _e601 {
+                                    let _e604 = local_7[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e605 = local_6[_e600];
-                                    if _e601 {
+                                    let _e606 = local_6[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e607 = local_5[_e600];
-                                    if _e601 {
+                                    let _e608 = local_5[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e609 = local_4[_e600];
-                                    if _e601 {
+                                    let _e610 = local_4[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e611 = local_3[_e600];
-                                    if _e601 {
+                                    let _e612 = local_3[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e613 = local_2[_e600];
-                                    if _e601 {
+                                    let _e614 = local_2[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e618 = local_8[_e600];
-                                    if _e601 {
+                                    let _e619 = local_8[_e601];
+                                    if _e602 {
                                     } else {
-                                        phi_4803_ = true;
+                                        phi_4801_ = true;
                                         break;
                                     }
-                                    let _e621 = local_9[_e600];
-                                    phi_1071_ = type_57(type_37(vec4<f32>(_e603, _e605, _e607, 0f), vec4<f32>(_e609, _e611, _e613, 0f)), _e618);
-                                    phi_1072_ = (_e621 <= _e586.member_1);
-                                    phi_1073_ = _e599;
+                                    let _e622 = local_9[_e601];
+                                    phi_1072_ = type_57(type_37(vec4<f32>(_e604, _e606, _e608, 0f), vec4<f32>(_e610, _e612, _e614, 0f)), _e619);
+                                    phi_1073_ = (_e622 <= _e587.member_1);
+                                    phi_1074_ = _e600;
                                 }
-                                let _e625 = phi_1071_;
-                                let _e627 = phi_1072_;
-                                let _e629 = phi_1073_;
-                                if _e627 {
-                                    let _e634 = (_e625.member_1 & 268435455u);
-                                    if ((_e625.member_1 & 2147483648u) != 0u) {
-                                        phi_1092_ = _e586;
-                                        phi_1095_ = type_8(0u, ((_e625.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e626 = phi_1072_;
+                                let _e628 = phi_1073_;
+                                let _e630 = phi_1074_;
+                                if _e628 {
+                                    let _e635 = (_e626.member_1 & 268435455u);
+                                    if ((_e626.member_1 & 2147483648u) != 0u) {
+                                        phi_1093_ = _e587;
+                                        phi_1096_ = type_8(0u, ((_e626.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1094 = phi_1092_;
-                                            let _e1096 = phi_1095_;
-                                            local_11 = _e1094;
-                                            if (_e1096.member < _e1096.member_1) {
-                                                phi_1096_ = type_8((_e1096.member + 1u), _e1096.member_1);
-                                                phi_1118_ = type_8(1u, _e1096.member);
+                                            let _e1095 = phi_1093_;
+                                            let _e1097 = phi_1096_;
+                                            local_11 = _e1095;
+                                            if (_e1097.member < _e1097.member_1) {
+                                                phi_1097_ = type_8((_e1097.member + 1u), _e1097.member_1);
+                                                phi_1119_ = type_8(1u, _e1097.member);
                                             } else {
-                                                phi_1096_ = _e1096;
-                                                phi_1118_ = type_8(0u, type_8().member_1);
+                                                phi_1097_ = _e1097;
+                                                phi_1119_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1109 = phi_1096_;
-                                            let _e1111 = phi_1118_;
-                                            let _e1115 = (bitcast<i32>(_e1111.member) != 0i);
-                                            if _e1115 {
-                                                let _e1120 = (_e625.member.member_1.x - _e625.member.member.x);
-                                                let _e1123 = (_e625.member.member_1.y - _e625.member.member.y);
-                                                let _e1126 = (_e625.member.member_1.z - _e625.member.member.z);
-                                                let _e1128 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                let _e1130 = select(_e1126, _e1128, (_e1128 > _e1126));
-                                                let _e1132 = (_e1130 < (1024f * _e161));
-                                                if _e1132 {
-                                                    phi_1159_ = 0u;
+                                            let _e1110 = phi_1097_;
+                                            let _e1112 = phi_1119_;
+                                            let _e1116 = (bitcast<i32>(_e1112.member) != 0i);
+                                            if _e1116 {
+                                                let _e1121 = (_e626.member.member_1.x - _e626.member.member.x);
+                                                let _e1124 = (_e626.member.member_1.y - _e626.member.member.y);
+                                                let _e1127 = (_e626.member.member_1.z - _e626.member.member.z);
+                                                let _e1129 = select(_e1124, _e1121, (_e1121 > _e1124));
+                                                let _e1131 = select(_e1127, _e1129, (_e1129 > _e1127));
+                                                let _e1133 = (_e1131 < (1024f * _e162));
+                                                if _e1133 {
+                                                    phi_1160_ = 0u;
                                                 } else {
-                                                    phi_1159_ = select(2u, 1u, (_e1130 < (2097152f * _e161)));
+                                                    phi_1160_ = select(2u, 1u, (_e1131 < (2097152f * _e162)));
                                                 }
-                                                let _e1137 = phi_1159_;
-                                                switch bitcast<i32>(_e1137) {
+                                                let _e1138 = phi_1160_;
+                                                switch bitcast<i32>(_e1138) {
                                                     case 0: {
-                                                        phi_1165_ = 1u;
+                                                        phi_1166_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1165_ = 2u;
+                                                        phi_1166_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1165_ = 3u;
+                                                        phi_1166_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1165_ = u32();
+                                                        phi_1166_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1140 = phi_1165_;
-                                                switch bitcast<i32>(_e1137) {
+                                                let _e1141 = phi_1166_;
+                                                switch bitcast<i32>(_e1138) {
                                                     case 0: {
-                                                        phi_1175_ = 1u;
+                                                        phi_1176_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1175_ = 2u;
+                                                        phi_1176_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1175_ = 3u;
+                                                        phi_1176_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1175_ = u32();
+                                                        phi_1176_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1147 = phi_1175_;
-                                                let _e1149 = ((_e634 + (_e1111.member_1 * ((3u * _e1140) + 1u))) + (3u * _e1147));
-                                                let _e1150 = (_e1149 < _e105);
-                                                if _e1150 {
-                                                    if _e1150 {
+                                                let _e1148 = phi_1176_;
+                                                let _e1150 = ((_e635 + (_e1112.member_1 * ((3u * _e1141) + 1u))) + (3u * _e1148));
+                                                let _e1151 = (_e1150 < _e106);
+                                                if _e1151 {
+                                                    if _e1151 {
                                                     } else {
-                                                        phi_4590_ = true;
+                                                        phi_4588_ = true;
                                                         break;
                                                     }
-                                                    let _e1152 = global_10.member[_e1149];
-                                                    phi_1191_ = _e1152;
+                                                    let _e1153 = global_10.member[_e1150];
+                                                    phi_1192_ = _e1153;
                                                 } else {
-                                                    phi_1191_ = 4294967295u;
+                                                    phi_1192_ = 4294967295u;
                                                 }
-                                                let _e1154 = phi_1191_;
-                                                if _e1132 {
-                                                    phi_1224_ = 0u;
+                                                let _e1155 = phi_1192_;
+                                                if _e1133 {
+                                                    phi_1225_ = 0u;
                                                 } else {
-                                                    phi_1224_ = select(2u, 1u, (_e1130 < (2097152f * _e161)));
+                                                    phi_1225_ = select(2u, 1u, (_e1131 < (2097152f * _e162)));
                                                 }
-                                                let _e1159 = phi_1224_;
-                                                switch bitcast<i32>(_e1159) {
+                                                let _e1160 = phi_1225_;
+                                                switch bitcast<i32>(_e1160) {
                                                     case 0: {
-                                                        phi_1230_ = 1u;
+                                                        phi_1231_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1230_ = 2u;
+                                                        phi_1231_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1230_ = 3u;
+                                                        phi_1231_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1230_ = u32();
+                                                        phi_1231_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1162 = phi_1230_;
-                                                let _e1166 = (_e634 + (_e1111.member_1 * ((3u * _e1162) + 1u)));
-                                                switch bitcast<i32>(_e1159) {
+                                                let _e1163 = phi_1231_;
+                                                let _e1167 = (_e635 + (_e1112.member_1 * ((3u * _e1163) + 1u)));
+                                                switch bitcast<i32>(_e1160) {
                                                     case 0: {
-                                                        let _e1432 = (_e1166 < _e105);
-                                                        if _e1432 {
-                                                            if _e1432 {
+                                                        let _e1433 = (_e1167 < _e106);
+                                                        if _e1433 {
+                                                            if _e1433 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1434 = global_10.member[_e1166];
-                                                            phi_1254_ = _e1434;
+                                                            let _e1435 = global_10.member[_e1167];
+                                                            phi_1255_ = _e1435;
                                                         } else {
-                                                            phi_1254_ = 0u;
+                                                            phi_1255_ = 0u;
                                                         }
-                                                        let _e1436 = phi_1254_;
-                                                        let _e1438 = ((10u * _e364) & 31u);
-                                                        let _e1447 = ((10u * _e363) & 31u);
-                                                        let _e1456 = ((10u * _e365) & 31u);
-                                                        let _e1465 = (_e1166 + 1u);
-                                                        let _e1466 = (_e1465 < _e105);
-                                                        if _e1466 {
-                                                            if _e1466 {
+                                                        let _e1437 = phi_1255_;
+                                                        let _e1439 = ((10u * _e365) & 31u);
+                                                        let _e1448 = ((10u * _e364) & 31u);
+                                                        let _e1457 = ((10u * _e366) & 31u);
+                                                        let _e1466 = (_e1167 + 1u);
+                                                        let _e1467 = (_e1466 < _e106);
+                                                        if _e1467 {
+                                                            if _e1467 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1468 = global_10.member[_e1465];
-                                                            phi_1297_ = _e1468;
+                                                            let _e1469 = global_10.member[_e1466];
+                                                            phi_1298_ = _e1469;
                                                         } else {
-                                                            phi_1297_ = 0u;
+                                                            phi_1298_ = 0u;
                                                         }
-                                                        let _e1470 = phi_1297_;
-                                                        let _e1493 = (_e1166 + 2u);
-                                                        let _e1494 = (_e1493 < _e105);
-                                                        if _e1494 {
-                                                            if _e1494 {
+                                                        let _e1471 = phi_1298_;
+                                                        let _e1494 = (_e1167 + 2u);
+                                                        let _e1495 = (_e1494 < _e106);
+                                                        if _e1495 {
+                                                            if _e1495 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1496 = global_10.member[_e1493];
-                                                            phi_1340_ = _e1496;
+                                                            let _e1497 = global_10.member[_e1494];
+                                                            phi_1341_ = _e1497;
                                                         } else {
-                                                            phi_1340_ = 0u;
+                                                            phi_1341_ = 0u;
                                                         }
-                                                        let _e1498 = phi_1340_;
-                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))));
+                                                        let _e1499 = phi_1341_;
+                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1437 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1471 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1439)) & 1023u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1448)) & 1023u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>(((_e1499 >> bitcast<u32>(_e1457)) & 1023u))) * _e162))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1255 = (_e1166 < _e105);
-                                                        if _e1255 {
-                                                            if _e1255 {
+                                                        let _e1256 = (_e1167 < _e106);
+                                                        if _e1256 {
+                                                            if _e1256 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1257 = global_10.member[_e1166];
-                                                            phi_1383_ = _e1257;
+                                                            let _e1258 = global_10.member[_e1167];
+                                                            phi_1384_ = _e1258;
                                                         } else {
-                                                            phi_1383_ = 0u;
+                                                            phi_1384_ = 0u;
                                                         }
-                                                        let _e1259 = phi_1383_;
-                                                        let _e1260 = (_e1166 + 1u);
-                                                        let _e1261 = (_e1260 < _e105);
-                                                        if _e1261 {
-                                                            if _e1261 {
+                                                        let _e1260 = phi_1384_;
+                                                        let _e1261 = (_e1167 + 1u);
+                                                        let _e1262 = (_e1261 < _e106);
+                                                        if _e1262 {
+                                                            if _e1262 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1263 = global_10.member[_e1260];
-                                                            phi_1398_ = _e1263;
+                                                            let _e1264 = global_10.member[_e1261];
+                                                            phi_1399_ = _e1264;
                                                         } else {
-                                                            phi_1398_ = 0u;
+                                                            phi_1399_ = 0u;
                                                         }
-                                                        let _e1265 = phi_1398_;
-                                                        let _e1266 = (_e364 == 1u);
-                                                        if _e1266 {
-                                                            phi_1408_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1266 = phi_1399_;
+                                                        let _e1267 = (_e365 == 1u);
+                                                        if _e1267 {
+                                                            phi_1409_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1408_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1409_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1275 = phi_1408_;
-                                                        let _e1282 = (_e363 == 1u);
-                                                        if _e1282 {
-                                                            phi_1428_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1276 = phi_1409_;
+                                                        let _e1283 = (_e364 == 1u);
+                                                        if _e1283 {
+                                                            phi_1429_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1428_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1429_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1291 = phi_1428_;
-                                                        let _e1298 = (_e365 == 1u);
-                                                        if _e1298 {
-                                                            phi_1448_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
+                                                        let _e1292 = phi_1429_;
+                                                        let _e1299 = (_e366 == 1u);
+                                                        if _e1299 {
+                                                            phi_1449_ = ((_e1260 >> bitcast<u32>(21i)) | (_e1266 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1448_ = (_e1265 >> bitcast<u32>(10i));
+                                                            phi_1449_ = (_e1266 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1307 = phi_1448_;
-                                                        let _e1315 = (_e1166 + 2u);
-                                                        let _e1316 = (_e1315 < _e105);
-                                                        if _e1316 {
-                                                            if _e1316 {
+                                                        let _e1308 = phi_1449_;
+                                                        let _e1316 = (_e1167 + 2u);
+                                                        let _e1317 = (_e1316 < _e106);
+                                                        if _e1317 {
+                                                            if _e1317 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1318 = global_10.member[_e1315];
-                                                            phi_1474_ = _e1318;
+                                                            let _e1319 = global_10.member[_e1316];
+                                                            phi_1475_ = _e1319;
                                                         } else {
-                                                            phi_1474_ = 0u;
+                                                            phi_1475_ = 0u;
                                                         }
-                                                        let _e1320 = phi_1474_;
-                                                        let _e1321 = (_e1166 + 3u);
-                                                        let _e1322 = (_e1321 < _e105);
-                                                        if _e1322 {
-                                                            if _e1322 {
+                                                        let _e1321 = phi_1475_;
+                                                        let _e1322 = (_e1167 + 3u);
+                                                        let _e1323 = (_e1322 < _e106);
+                                                        if _e1323 {
+                                                            if _e1323 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1324 = global_10.member[_e1321];
-                                                            phi_1489_ = _e1324;
+                                                            let _e1325 = global_10.member[_e1322];
+                                                            phi_1490_ = _e1325;
                                                         } else {
-                                                            phi_1489_ = 0u;
+                                                            phi_1490_ = 0u;
                                                         }
-                                                        let _e1326 = phi_1489_;
-                                                        if _e1266 {
-                                                            phi_1499_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
+                                                        let _e1327 = phi_1490_;
+                                                        if _e1267 {
+                                                            phi_1500_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1499_ = (_e1326 >> bitcast<u32>(10i));
+                                                            phi_1500_ = (_e1327 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1335 = phi_1499_;
-                                                        if _e1282 {
-                                                            phi_1519_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
+                                                        let _e1336 = phi_1500_;
+                                                        if _e1283 {
+                                                            phi_1520_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1519_ = (_e1326 >> bitcast<u32>(10i));
+                                                            phi_1520_ = (_e1327 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1350 = phi_1519_;
-                                                        if _e1298 {
-                                                            phi_1539_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
+                                                        let _e1351 = phi_1520_;
+                                                        if _e1299 {
+                                                            phi_1540_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1539_ = (_e1326 >> bitcast<u32>(10i));
+                                                            phi_1540_ = (_e1327 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1365 = phi_1539_;
-                                                        let _e1373 = (_e1166 + 4u);
-                                                        let _e1374 = (_e1373 < _e105);
-                                                        if _e1374 {
-                                                            if _e1374 {
+                                                        let _e1366 = phi_1540_;
+                                                        let _e1374 = (_e1167 + 4u);
+                                                        let _e1375 = (_e1374 < _e106);
+                                                        if _e1375 {
+                                                            if _e1375 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1376 = global_10.member[_e1373];
-                                                            phi_1565_ = _e1376;
+                                                            let _e1377 = global_10.member[_e1374];
+                                                            phi_1566_ = _e1377;
                                                         } else {
-                                                            phi_1565_ = 0u;
+                                                            phi_1566_ = 0u;
                                                         }
-                                                        let _e1378 = phi_1565_;
-                                                        let _e1379 = (_e1166 + 5u);
-                                                        let _e1380 = (_e1379 < _e105);
-                                                        if _e1380 {
-                                                            if _e1380 {
+                                                        let _e1379 = phi_1566_;
+                                                        let _e1380 = (_e1167 + 5u);
+                                                        let _e1381 = (_e1380 < _e106);
+                                                        if _e1381 {
+                                                            if _e1381 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1382 = global_10.member[_e1379];
-                                                            phi_1580_ = _e1382;
+                                                            let _e1383 = global_10.member[_e1380];
+                                                            phi_1581_ = _e1383;
                                                         } else {
-                                                            phi_1580_ = 0u;
+                                                            phi_1581_ = 0u;
                                                         }
-                                                        let _e1384 = phi_1580_;
-                                                        if _e1266 {
-                                                            phi_1590_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
+                                                        let _e1385 = phi_1581_;
+                                                        if _e1267 {
+                                                            phi_1591_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1590_ = (_e1384 >> bitcast<u32>(10i));
+                                                            phi_1591_ = (_e1385 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1393 = phi_1590_;
-                                                        if _e1282 {
-                                                            phi_1610_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
+                                                        let _e1394 = phi_1591_;
+                                                        if _e1283 {
+                                                            phi_1611_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1610_ = (_e1384 >> bitcast<u32>(10i));
+                                                            phi_1611_ = (_e1385 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1408 = phi_1610_;
-                                                        if _e1298 {
-                                                            phi_1630_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
+                                                        let _e1409 = phi_1611_;
+                                                        if _e1299 {
+                                                            phi_1631_ = ((_e1379 >> bitcast<u32>(21i)) | (_e1385 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1630_ = (_e1384 >> bitcast<u32>(10i));
+                                                            phi_1631_ = (_e1385 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1423 = phi_1630_;
-                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1275, _e1259, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1291, _e1259, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1307, _e1259, _e461) & 2097151u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1335, _e1320, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1350, _e1320, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1365, _e1320, _e461) & 2097151u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1393, _e1378, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1408, _e1378, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1423, _e1378, _e461) & 2097151u))) * _e161))));
+                                                        let _e1424 = phi_1631_;
+                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1276, _e1260, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1292, _e1260, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1308, _e1260, _e462) & 2097151u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1336, _e1321, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1351, _e1321, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1366, _e1321, _e462) & 2097151u))) * _e162))), array<f32, 3>((_e626.member.member.x + (f32(bitcast<i32>((select(_e1394, _e1379, _e389) & 2097151u))) * _e162)), (_e626.member.member.y + (f32(bitcast<i32>((select(_e1409, _e1379, _e426) & 2097151u))) * _e162)), (_e626.member.member.z + (f32(bitcast<i32>((select(_e1424, _e1379, _e462) & 2097151u))) * _e162))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1168 = (_e1166 + _e364);
-                                                        let _e1169 = (_e1168 < _e105);
-                                                        if _e1169 {
-                                                            if _e1169 {
+                                                        let _e1169 = (_e1167 + _e365);
+                                                        let _e1170 = (_e1169 < _e106);
+                                                        if _e1170 {
+                                                            if _e1170 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1171 = global_10.member[_e1168];
-                                                            phi_1657_ = _e1171;
+                                                            let _e1172 = global_10.member[_e1169];
+                                                            phi_1658_ = _e1172;
                                                         } else {
-                                                            phi_1657_ = 0u;
+                                                            phi_1658_ = 0u;
                                                         }
-                                                        let _e1173 = phi_1657_;
-                                                        let _e1177 = (_e1166 + _e363);
-                                                        let _e1178 = (_e1177 < _e105);
-                                                        if _e1178 {
-                                                            if _e1178 {
+                                                        let _e1174 = phi_1658_;
+                                                        let _e1178 = (_e1167 + _e364);
+                                                        let _e1179 = (_e1178 < _e106);
+                                                        if _e1179 {
+                                                            if _e1179 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1180 = global_10.member[_e1177];
-                                                            phi_1675_ = _e1180;
+                                                            let _e1181 = global_10.member[_e1178];
+                                                            phi_1676_ = _e1181;
                                                         } else {
-                                                            phi_1675_ = 0u;
+                                                            phi_1676_ = 0u;
                                                         }
-                                                        let _e1182 = phi_1675_;
-                                                        let _e1186 = (_e1166 + _e365);
-                                                        let _e1187 = (_e1186 < _e105);
-                                                        if _e1187 {
-                                                            if _e1187 {
+                                                        let _e1183 = phi_1676_;
+                                                        let _e1187 = (_e1167 + _e366);
+                                                        let _e1188 = (_e1187 < _e106);
+                                                        if _e1188 {
+                                                            if _e1188 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1189 = global_10.member[_e1186];
-                                                            phi_1693_ = _e1189;
+                                                            let _e1190 = global_10.member[_e1187];
+                                                            phi_1694_ = _e1190;
                                                         } else {
-                                                            phi_1693_ = 0u;
+                                                            phi_1694_ = 0u;
                                                         }
-                                                        let _e1191 = phi_1693_;
-                                                        let _e1196 = (_e1166 + 3u);
-                                                        let _e1197 = (_e1196 + _e364);
-                                                        let _e1198 = (_e1197 < _e105);
-                                                        if _e1198 {
-                                                            if _e1198 {
+                                                        let _e1192 = phi_1694_;
+                                                        let _e1197 = (_e1167 + 3u);
+                                                        let _e1198 = (_e1197 + _e365);
+                                                        let _e1199 = (_e1198 < _e106);
+                                                        if _e1199 {
+                                                            if _e1199 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1200 = global_10.member[_e1197];
-                                                            phi_1713_ = _e1200;
+                                                            let _e1201 = global_10.member[_e1198];
+                                                            phi_1714_ = _e1201;
                                                         } else {
-                                                            phi_1713_ = 0u;
+                                                            phi_1714_ = 0u;
                                                         }
-                                                        let _e1202 = phi_1713_;
-                                                        let _e1206 = (_e1196 + _e363);
-                                                        let _e1207 = (_e1206 < _e105);
-                                                        if _e1207 {
-                                                            if _e1207 {
+                                                        let _e1203 = phi_1714_;
+                                                        let _e1207 = (_e1197 + _e364);
+                                                        let _e1208 = (_e1207 < _e106);
+                                                        if _e1208 {
+                                                            if _e1208 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1209 = global_10.member[_e1206];
-                                                            phi_1731_ = _e1209;
+                                                            let _e1210 = global_10.member[_e1207];
+                                                            phi_1732_ = _e1210;
                                                         } else {
-                                                            phi_1731_ = 0u;
+                                                            phi_1732_ = 0u;
                                                         }
-                                                        let _e1211 = phi_1731_;
-                                                        let _e1215 = (_e1196 + _e365);
-                                                        let _e1216 = (_e1215 < _e105);
-                                                        if _e1216 {
-                                                            if _e1216 {
+                                                        let _e1212 = phi_1732_;
+                                                        let _e1216 = (_e1197 + _e366);
+                                                        let _e1217 = (_e1216 < _e106);
+                                                        if _e1217 {
+                                                            if _e1217 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1218 = global_10.member[_e1215];
-                                                            phi_1749_ = _e1218;
+                                                            let _e1219 = global_10.member[_e1216];
+                                                            phi_1750_ = _e1219;
                                                         } else {
-                                                            phi_1749_ = 0u;
+                                                            phi_1750_ = 0u;
                                                         }
-                                                        let _e1220 = phi_1749_;
-                                                        let _e1225 = (_e1166 + 6u);
-                                                        let _e1226 = (_e1225 + _e364);
-                                                        let _e1227 = (_e1226 < _e105);
-                                                        if _e1227 {
-                                                            if _e1227 {
+                                                        let _e1221 = phi_1750_;
+                                                        let _e1226 = (_e1167 + 6u);
+                                                        let _e1227 = (_e1226 + _e365);
+                                                        let _e1228 = (_e1227 < _e106);
+                                                        if _e1228 {
+                                                            if _e1228 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1229 = global_10.member[_e1226];
-                                                            phi_1769_ = _e1229;
+                                                            let _e1230 = global_10.member[_e1227];
+                                                            phi_1770_ = _e1230;
                                                         } else {
-                                                            phi_1769_ = 0u;
+                                                            phi_1770_ = 0u;
                                                         }
-                                                        let _e1231 = phi_1769_;
-                                                        let _e1235 = (_e1225 + _e363);
-                                                        let _e1236 = (_e1235 < _e105);
-                                                        if _e1236 {
-                                                            if _e1236 {
+                                                        let _e1232 = phi_1770_;
+                                                        let _e1236 = (_e1226 + _e364);
+                                                        let _e1237 = (_e1236 < _e106);
+                                                        if _e1237 {
+                                                            if _e1237 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1238 = global_10.member[_e1235];
-                                                            phi_1787_ = _e1238;
+                                                            let _e1239 = global_10.member[_e1236];
+                                                            phi_1788_ = _e1239;
                                                         } else {
-                                                            phi_1787_ = 0u;
+                                                            phi_1788_ = 0u;
                                                         }
-                                                        let _e1240 = phi_1787_;
-                                                        let _e1244 = (_e1225 + _e365);
-                                                        let _e1245 = (_e1244 < _e105);
-                                                        if _e1245 {
-                                                            if _e1245 {
+                                                        let _e1241 = phi_1788_;
+                                                        let _e1245 = (_e1226 + _e366);
+                                                        let _e1246 = (_e1245 < _e106);
+                                                        if _e1246 {
+                                                            if _e1246 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1247 = global_10.member[_e1244];
-                                                            phi_1805_ = _e1247;
+                                                            let _e1248 = global_10.member[_e1245];
+                                                            phi_1806_ = _e1248;
                                                         } else {
-                                                            phi_1805_ = 0u;
+                                                            phi_1806_ = 0u;
                                                         }
-                                                        let _e1249 = phi_1805_;
-                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1173)) * _e161), (f32(bitcast<i32>(_e1182)) * _e161), (f32(bitcast<i32>(_e1191)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1202)) * _e161), (f32(bitcast<i32>(_e1211)) * _e161), (f32(bitcast<i32>(_e1220)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1231)) * _e161), (f32(bitcast<i32>(_e1240)) * _e161), (f32(bitcast<i32>(_e1249)) * _e161)));
+                                                        let _e1250 = phi_1806_;
+                                                        phi_1812_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1174)) * _e162), (f32(bitcast<i32>(_e1183)) * _e162), (f32(bitcast<i32>(_e1192)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1203)) * _e162), (f32(bitcast<i32>(_e1212)) * _e162), (f32(bitcast<i32>(_e1221)) * _e162)), array<f32, 3>((f32(bitcast<i32>(_e1232)) * _e162), (f32(bitcast<i32>(_e1241)) * _e162), (f32(bitcast<i32>(_e1250)) * _e162)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1811_ = array<array<f32, 3>, 3>();
+                                                        phi_1812_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1523 = phi_1811_;
-                                                let _e1531 = (_e1523[0][2] - _e469);
-                                                let _e1534 = (((_e1523[0][0] - _e396) * _e493) - (_e1531 * _e421));
-                                                let _e1537 = (((_e1523[0][1] - _e433) * _e493) - (_e1531 * _e457));
-                                                let _e1544 = (_e1523[1][2] - _e469);
-                                                let _e1547 = (((_e1523[1][0] - _e396) * _e493) - (_e1544 * _e421));
-                                                let _e1550 = (((_e1523[1][1] - _e433) * _e493) - (_e1544 * _e457));
-                                                let _e1557 = (_e1523[2][2] - _e469);
-                                                let _e1560 = (((_e1523[2][0] - _e396) * _e493) - (_e1557 * _e421));
-                                                let _e1563 = (((_e1523[2][1] - _e433) * _e493) - (_e1557 * _e457));
-                                                let _e1564 = (_e1560 * _e1550);
-                                                let _e1565 = (_e1563 * _e1547);
-                                                let _e1566 = (_e1534 * _e1563);
-                                                let _e1567 = (_e1537 * _e1560);
-                                                let _e1568 = (_e1547 * _e1537);
-                                                let _e1569 = (_e1550 * _e1534);
-                                                let _e1574 = (((_e1564 >= _e1565) && (_e1566 >= _e1567)) && (_e1568 >= _e1569));
-                                                if (_e1574 || (((_e1564 <= _e1565) && (_e1566 <= _e1567)) && (_e1568 <= _e1569))) {
-                                                    let _e1581 = select(-1f, 1f, _e1574);
-                                                    let _e1583 = ((_e1564 - _e1565) * _e1581);
-                                                    let _e1585 = select(0f, _e1583, (_e1583 > 0f));
-                                                    let _e1587 = ((_e1566 - _e1567) * _e1581);
-                                                    let _e1589 = select(0f, _e1587, (_e1587 > 0f));
-                                                    let _e1591 = ((_e1568 - _e1569) * _e1581);
-                                                    let _e1593 = select(0f, _e1591, (_e1591 > 0f));
-                                                    let _e1595 = ((_e1585 + _e1589) + _e1593);
-                                                    if (_e1595 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2639_ = type_25();
-                                                        phi_2640_ = true;
-                                                        phi_2641_ = false;
+                                                let _e1524 = phi_1812_;
+                                                let _e1532 = (_e1524[0][2] - _e470);
+                                                let _e1535 = (((_e1524[0][0] - _e397) * _e494) - (_e1532 * _e422));
+                                                let _e1538 = (((_e1524[0][1] - _e434) * _e494) - (_e1532 * _e458));
+                                                let _e1545 = (_e1524[1][2] - _e470);
+                                                let _e1548 = (((_e1524[1][0] - _e397) * _e494) - (_e1545 * _e422));
+                                                let _e1551 = (((_e1524[1][1] - _e434) * _e494) - (_e1545 * _e458));
+                                                let _e1558 = (_e1524[2][2] - _e470);
+                                                let _e1561 = (((_e1524[2][0] - _e397) * _e494) - (_e1558 * _e422));
+                                                let _e1564 = (((_e1524[2][1] - _e434) * _e494) - (_e1558 * _e458));
+                                                let _e1565 = (_e1561 * _e1551);
+                                                let _e1566 = (_e1564 * _e1548);
+                                                let _e1567 = (_e1535 * _e1564);
+                                                let _e1568 = (_e1538 * _e1561);
+                                                let _e1569 = (_e1548 * _e1538);
+                                                let _e1570 = (_e1551 * _e1535);
+                                                let _e1575 = (((_e1565 >= _e1566) && (_e1567 >= _e1568)) && (_e1569 >= _e1570));
+                                                if (_e1575 || (((_e1565 <= _e1566) && (_e1567 <= _e1568)) && (_e1569 <= _e1570))) {
+                                                    let _e1582 = select(-1f, 1f, _e1575);
+                                                    let _e1584 = ((_e1565 - _e1566) * _e1582);
+                                                    let _e1586 = select(0f, _e1584, (_e1584 > 0f));
+                                                    let _e1588 = ((_e1567 - _e1568) * _e1582);
+                                                    let _e1590 = select(0f, _e1588, (_e1588 > 0f));
+                                                    let _e1592 = ((_e1569 - _e1570) * _e1582);
+                                                    let _e1594 = select(0f, _e1592, (_e1592 > 0f));
+                                                    let _e1596 = ((_e1586 + _e1590) + _e1594);
+                                                    if (_e1596 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2637_ = type_25();
+                                                        phi_2638_ = true;
+                                                        phi_2639_ = false;
                                                     } else {
-                                                        let _e1598 = select(_e1547, _e1534, (_e1534 < _e1547));
-                                                        if (select(_e1560, _e1598, (_e1598 < _e1560)) > 0f) {
-                                                            phi_1928_ = true;
+                                                        let _e1599 = select(_e1548, _e1535, (_e1535 < _e1548));
+                                                        if (select(_e1561, _e1599, (_e1599 < _e1561)) > 0f) {
+                                                            phi_1929_ = true;
                                                         } else {
-                                                            let _e1603 = select(_e1547, _e1534, (_e1534 > _e1547));
-                                                            phi_1928_ = (select(_e1560, _e1603, (_e1603 > _e1560)) < 0f);
+                                                            let _e1604 = select(_e1548, _e1535, (_e1535 > _e1548));
+                                                            phi_1929_ = (select(_e1561, _e1604, (_e1604 > _e1561)) < 0f);
                                                         }
-                                                        let _e1608 = phi_1928_;
-                                                        if _e1608 {
-                                                            phi_2636_ = type_25();
-                                                            phi_2637_ = true;
-                                                            phi_2638_ = false;
+                                                        let _e1609 = phi_1929_;
+                                                        if _e1609 {
+                                                            phi_2634_ = type_25();
+                                                            phi_2635_ = true;
+                                                            phi_2636_ = false;
                                                         } else {
-                                                            let _e1610 = select(_e1550, _e1537, (_e1537 < _e1550));
-                                                            if (select(_e1563, _e1610, (_e1610 < _e1563)) > 0f) {
-                                                                phi_1957_ = true;
+                                                            let _e1611 = select(_e1551, _e1538, (_e1538 < _e1551));
+                                                            if (select(_e1564, _e1611, (_e1611 < _e1564)) > 0f) {
+                                                                phi_1958_ = true;
                                                             } else {
-                                                                let _e1615 = select(_e1550, _e1537, (_e1537 > _e1550));
-                                                                phi_1957_ = (select(_e1563, _e1615, (_e1615 > _e1563)) < 0f);
+                                                                let _e1616 = select(_e1551, _e1538, (_e1538 > _e1551));
+                                                                phi_1958_ = (select(_e1564, _e1616, (_e1616 > _e1564)) < 0f);
                                                             }
-                                                            let _e1620 = phi_1957_;
-                                                            if _e1620 {
-                                                                phi_2634_ = type_25();
-                                                                phi_2635_ = false;
+                                                            let _e1621 = phi_1958_;
+                                                            if _e1621 {
+                                                                phi_2632_ = type_25();
+                                                                phi_2633_ = false;
                                                             } else {
-                                                                let _e1622 = select(_e1523[1][0], _e1523[0][0], (_e1523[0][0] < _e1523[1][0]));
-                                                                let _e1626 = select(_e1523[1][0], _e1523[0][0], (_e1523[0][0] > _e1523[1][0]));
-                                                                let _e1630 = select(_e1523[1][1], _e1523[0][1], (_e1523[0][1] < _e1523[1][1]));
-                                                                let _e1634 = select(_e1523[1][1], _e1523[0][1], (_e1523[0][1] > _e1523[1][1]));
-                                                                let _e1638 = select(_e1523[1][2], _e1523[0][2], (_e1523[0][2] < _e1523[1][2]));
-                                                                let _e1642 = select(_e1523[1][2], _e1523[0][2], (_e1523[0][2] > _e1523[1][2]));
-                                                                let _e1647 = ((select(_e1523[2][0], _e1622, (_e1622 < _e1523[2][0])) - _e419) * _e424);
-                                                                let _e1648 = ((select(_e1523[2][0], _e1626, (_e1626 > _e1523[2][0])) - _e420) * _e424);
-                                                                let _e1651 = ((select(_e1523[2][1], _e1630, (_e1630 < _e1523[2][1])) - _e455) * _e460);
-                                                                let _e1652 = ((select(_e1523[2][1], _e1634, (_e1634 > _e1523[2][1])) - _e456) * _e460);
-                                                                let _e1655 = ((select(_e1523[2][2], _e1638, (_e1638 < _e1523[2][2])) - _e491) * _e496);
-                                                                let _e1656 = ((select(_e1523[2][2], _e1642, (_e1642 > _e1523[2][2])) - _e492) * _e496);
-                                                                let _e1658 = select(_e1656, _e1655, (_e1655 < _e1656));
-                                                                let _e1660 = select(_e1656, _e1655, (_e1655 > _e1656));
-                                                                let _e1662 = select(_e1648, _e1647, (_e1647 < _e1648));
-                                                                let _e1664 = select(_e1652, _e1651, (_e1651 < _e1652));
-                                                                let _e1666 = select(_e1664, _e1662, (_e1662 > _e1664));
-                                                                let _e1668 = select(_e1658, _e1666, (_e1666 > _e1658));
-                                                                let _e1670 = select(_e1648, _e1647, (_e1647 > _e1648));
-                                                                let _e1672 = select(_e1652, _e1651, (_e1651 > _e1652));
-                                                                let _e1674 = select(_e1672, _e1670, (_e1670 < _e1672));
-                                                                let _e1676 = select(_e1660, _e1674, (_e1674 < _e1660));
-                                                                let _e1677 = -(_e1658);
-                                                                let _e1683 = select(_e542, _e1668, (_e1668 > _e542));
-                                                                if (_e1683 > (_e1676 + (select(_e1677, _e1660, (_e1660 > _e1677)) * 0.0000019073523f))) {
-                                                                    phi_2629_ = type_25();
-                                                                    phi_2630_ = true;
+                                                                let _e1623 = select(_e1524[1][0], _e1524[0][0], (_e1524[0][0] < _e1524[1][0]));
+                                                                let _e1627 = select(_e1524[1][0], _e1524[0][0], (_e1524[0][0] > _e1524[1][0]));
+                                                                let _e1631 = select(_e1524[1][1], _e1524[0][1], (_e1524[0][1] < _e1524[1][1]));
+                                                                let _e1635 = select(_e1524[1][1], _e1524[0][1], (_e1524[0][1] > _e1524[1][1]));
+                                                                let _e1639 = select(_e1524[1][2], _e1524[0][2], (_e1524[0][2] < _e1524[1][2]));
+                                                                let _e1643 = select(_e1524[1][2], _e1524[0][2], (_e1524[0][2] > _e1524[1][2]));
+                                                                let _e1648 = ((select(_e1524[2][0], _e1623, (_e1623 < _e1524[2][0])) - _e420) * _e425);
+                                                                let _e1649 = ((select(_e1524[2][0], _e1627, (_e1627 > _e1524[2][0])) - _e421) * _e425);
+                                                                let _e1652 = ((select(_e1524[2][1], _e1631, (_e1631 < _e1524[2][1])) - _e456) * _e461);
+                                                                let _e1653 = ((select(_e1524[2][1], _e1635, (_e1635 > _e1524[2][1])) - _e457) * _e461);
+                                                                let _e1656 = ((select(_e1524[2][2], _e1639, (_e1639 < _e1524[2][2])) - _e492) * _e497);
+                                                                let _e1657 = ((select(_e1524[2][2], _e1643, (_e1643 > _e1524[2][2])) - _e493) * _e497);
+                                                                let _e1659 = select(_e1657, _e1656, (_e1656 < _e1657));
+                                                                let _e1661 = select(_e1657, _e1656, (_e1656 > _e1657));
+                                                                let _e1663 = select(_e1649, _e1648, (_e1648 < _e1649));
+                                                                let _e1665 = select(_e1653, _e1652, (_e1652 < _e1653));
+                                                                let _e1667 = select(_e1665, _e1663, (_e1663 > _e1665));
+                                                                let _e1669 = select(_e1659, _e1667, (_e1667 > _e1659));
+                                                                let _e1671 = select(_e1649, _e1648, (_e1648 > _e1649));
+                                                                let _e1673 = select(_e1653, _e1652, (_e1652 > _e1653));
+                                                                let _e1675 = select(_e1673, _e1671, (_e1671 < _e1673));
+                                                                let _e1677 = select(_e1661, _e1675, (_e1675 < _e1661));
+                                                                let _e1678 = -(_e1659);
+                                                                let _e1684 = select(_e543, _e1669, (_e1669 > _e543));
+                                                                if (_e1684 > (_e1677 + (select(_e1678, _e1661, (_e1661 > _e1678)) * 0.0000019073523f))) {
+                                                                    phi_2627_ = type_25();
+                                                                    phi_2628_ = true;
                                                                 } else {
-                                                                    let _e1685 = (_e1683 > _e1094.member_1);
-                                                                    if _e1685 {
-                                                                        phi_2628_ = type_25();
+                                                                    let _e1686 = (_e1684 > _e1095.member_1);
+                                                                    if _e1686 {
+                                                                        phi_2626_ = type_25();
                                                                     } else {
-                                                                        let _e1686 = vec3<f32>(_e1523[0][0], _e1523[0][1], _e1523[0][2]);
-                                                                        let _e1687 = vec3<f32>(_e1523[1][0], _e1523[1][1], _e1523[1][2]);
-                                                                        let _e1688 = vec3<f32>(_e1523[2][0], _e1523[2][1], _e1523[2][2]);
-                                                                        let _e1689 = (_e1523[1][0] - _e1523[0][0]);
-                                                                        let _e1690 = (_e1523[1][1] - _e1523[0][1]);
-                                                                        let _e1691 = (_e1523[1][2] - _e1523[0][2]);
-                                                                        let _e1692 = vec3<f32>(_e1689, _e1690, _e1691);
-                                                                        let _e1693 = (_e1523[2][0] - _e1523[1][0]);
-                                                                        let _e1694 = (_e1523[2][1] - _e1523[1][1]);
-                                                                        let _e1695 = (_e1523[2][2] - _e1523[1][2]);
-                                                                        let _e1696 = vec3<f32>(_e1693, _e1694, _e1695);
-                                                                        let _e1697 = (_e1523[0][0] - _e1523[2][0]);
-                                                                        let _e1698 = (_e1523[0][1] - _e1523[2][1]);
-                                                                        let _e1699 = (_e1523[0][2] - _e1523[2][2]);
-                                                                        let _e1700 = vec3<f32>(_e1697, _e1698, _e1699);
-                                                                        let _e1703 = bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u));
-                                                                        let _e1706 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
-                                                                        let _e1708 = select(_e1706, _e1703, (_e1703 > _e1706));
-                                                                        let _e1711 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
-                                                                        let _e1713 = select(_e1711, _e1708, (_e1708 > _e1711));
-                                                                        let _e1716 = bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u));
-                                                                        let _e1719 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
-                                                                        let _e1721 = select(_e1719, _e1716, (_e1716 > _e1719));
-                                                                        let _e1724 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
-                                                                        let _e1726 = select(_e1724, _e1721, (_e1721 > _e1724));
-                                                                        let _e1729 = bitcast<f32>((bitcast<u32>(_e1697) & 2147483647u));
-                                                                        let _e1732 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
-                                                                        let _e1734 = select(_e1732, _e1729, (_e1729 > _e1732));
-                                                                        let _e1737 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
-                                                                        let _e1739 = select(_e1737, _e1734, (_e1734 > _e1737));
-                                                                        let _e1741 = select(_e1726, _e1713, (_e1713 > _e1726));
-                                                                        let _e1743 = select(_e1739, _e1741, (_e1741 > _e1739));
-                                                                        if (_e1713 == _e1743) {
-                                                                            phi_2358_ = _e1550;
-                                                                            phi_2359_ = _e1547;
-                                                                            phi_2360_ = _e1537;
-                                                                            phi_2361_ = _e1534;
-                                                                            phi_2362_ = _e1686;
-                                                                            phi_2363_ = _e1700;
-                                                                            phi_2364_ = _e1696;
-                                                                            phi_2365_ = _e1692;
+                                                                        let _e1687 = vec3<f32>(_e1524[0][0], _e1524[0][1], _e1524[0][2]);
+                                                                        let _e1688 = vec3<f32>(_e1524[1][0], _e1524[1][1], _e1524[1][2]);
+                                                                        let _e1689 = vec3<f32>(_e1524[2][0], _e1524[2][1], _e1524[2][2]);
+                                                                        let _e1690 = (_e1524[1][0] - _e1524[0][0]);
+                                                                        let _e1691 = (_e1524[1][1] - _e1524[0][1]);
+                                                                        let _e1692 = (_e1524[1][2] - _e1524[0][2]);
+                                                                        let _e1693 = vec3<f32>(_e1690, _e1691, _e1692);
+                                                                        let _e1694 = (_e1524[2][0] - _e1524[1][0]);
+                                                                        let _e1695 = (_e1524[2][1] - _e1524[1][1]);
+                                                                        let _e1696 = (_e1524[2][2] - _e1524[1][2]);
+                                                                        let _e1697 = vec3<f32>(_e1694, _e1695, _e1696);
+                                                                        let _e1698 = (_e1524[0][0] - _e1524[2][0]);
+                                                                        let _e1699 = (_e1524[0][1] - _e1524[2][1]);
+                                                                        let _e1700 = (_e1524[0][2] - _e1524[2][2]);
+                                                                        let _e1701 = vec3<f32>(_e1698, _e1699, _e1700);
+                                                                        let _e1704 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
+                                                                        let _e1707 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
+                                                                        let _e1709 = select(_e1707, _e1704, (_e1704 > _e1707));
+                                                                        let _e1712 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
+                                                                        let _e1714 = select(_e1712, _e1709, (_e1709 > _e1712));
+                                                                        let _e1717 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
+                                                                        let _e1720 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
+                                                                        let _e1722 = select(_e1720, _e1717, (_e1717 > _e1720));
+                                                                        let _e1725 = bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u));
+                                                                        let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
+                                                                        let _e1730 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
+                                                                        let _e1733 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
+                                                                        let _e1735 = select(_e1733, _e1730, (_e1730 > _e1733));
+                                                                        let _e1738 = bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u));
+                                                                        let _e1740 = select(_e1738, _e1735, (_e1735 > _e1738));
+                                                                        let _e1742 = select(_e1727, _e1714, (_e1714 > _e1727));
+                                                                        let _e1744 = select(_e1740, _e1742, (_e1742 > _e1740));
+                                                                        if (_e1714 == _e1744) {
+                                                                            phi_2359_ = _e1551;
+                                                                            phi_2360_ = _e1548;
+                                                                            phi_2361_ = _e1538;
+                                                                            phi_2362_ = _e1535;
+                                                                            phi_2363_ = _e1687;
+                                                                            phi_2364_ = _e1701;
+                                                                            phi_2365_ = _e1697;
+                                                                            phi_2366_ = _e1693;
                                                                         } else {
-                                                                            let _e1745 = (_e1726 == _e1743);
-                                                                            let _e1750 = vec3(_e1745);
-                                                                            phi_2358_ = select(_e1537, _e1563, _e1745);
-                                                                            phi_2359_ = select(_e1534, _e1560, _e1745);
-                                                                            phi_2360_ = select(_e1563, _e1550, _e1745);
-                                                                            phi_2361_ = select(_e1560, _e1547, _e1745);
-                                                                            phi_2362_ = select(_e1688, _e1687, _e1750);
-                                                                            phi_2363_ = select(_e1696, _e1692, _e1750);
-                                                                            phi_2364_ = select(_e1692, _e1700, _e1750);
-                                                                            phi_2365_ = select(_e1700, _e1696, _e1750);
+                                                                            let _e1746 = (_e1727 == _e1744);
+                                                                            let _e1751 = vec3(_e1746);
+                                                                            phi_2359_ = select(_e1538, _e1564, _e1746);
+                                                                            phi_2360_ = select(_e1535, _e1561, _e1746);
+                                                                            phi_2361_ = select(_e1564, _e1551, _e1746);
+                                                                            phi_2362_ = select(_e1561, _e1548, _e1746);
+                                                                            phi_2363_ = select(_e1689, _e1688, _e1751);
+                                                                            phi_2364_ = select(_e1697, _e1693, _e1751);
+                                                                            phi_2365_ = select(_e1693, _e1701, _e1751);
+                                                                            phi_2366_ = select(_e1701, _e1697, _e1751);
                                                                         }
-                                                                        let _e1756 = phi_2358_;
-                                                                        let _e1758 = phi_2359_;
-                                                                        let _e1760 = phi_2360_;
-                                                                        let _e1762 = phi_2361_;
-                                                                        let _e1764 = phi_2362_;
-                                                                        let _e1766 = phi_2363_;
-                                                                        let _e1768 = phi_2364_;
-                                                                        let _e1770 = phi_2365_;
-                                                                        let _e1777 = ((_e1768.y * _e1766.z) - (_e1766.y * _e1768.z));
-                                                                        let _e1782 = ((_e1768.z * _e1766.x) - (_e1766.z * _e1768.x));
-                                                                        let _e1785 = ((_e1768.x * _e1766.y) - (_e1766.x * _e1768.y));
-                                                                        if (_e1585 >= _e1589) {
-                                                                            phi_2396_ = select(true, false, (_e1585 >= _e1593));
+                                                                        let _e1757 = phi_2359_;
+                                                                        let _e1759 = phi_2360_;
+                                                                        let _e1761 = phi_2361_;
+                                                                        let _e1763 = phi_2362_;
+                                                                        let _e1765 = phi_2363_;
+                                                                        let _e1767 = phi_2364_;
+                                                                        let _e1769 = phi_2365_;
+                                                                        let _e1771 = phi_2366_;
+                                                                        let _e1778 = ((_e1769.y * _e1767.z) - (_e1767.y * _e1769.z));
+                                                                        let _e1783 = ((_e1769.z * _e1767.x) - (_e1767.z * _e1769.x));
+                                                                        let _e1786 = ((_e1769.x * _e1767.y) - (_e1767.x * _e1769.y));
+                                                                        if (_e1586 >= _e1590) {
+                                                                            phi_2397_ = select(true, false, (_e1586 >= _e1594));
                                                                         } else {
-                                                                            phi_2396_ = true;
+                                                                            phi_2397_ = true;
                                                                         }
-                                                                        let _e1790 = phi_2396_;
-                                                                        if _e1790 {
-                                                                            phi_2405_ = select(_e1688, _e1687, vec3((_e1589 >= _e1593)));
+                                                                        let _e1791 = phi_2397_;
+                                                                        if _e1791 {
+                                                                            phi_2406_ = select(_e1689, _e1688, vec3((_e1590 >= _e1594)));
                                                                         } else {
-                                                                            phi_2405_ = _e1686;
+                                                                            phi_2406_ = _e1687;
                                                                         }
-                                                                        let _e1795 = phi_2405_;
-                                                                        let _e1800 = (((_e1777 * _e421) + (_e1782 * _e457)) + (_e1785 * _e493));
-                                                                        let _e1811 = (((_e1777 * (_e1795.x - _e396)) + (_e1782 * (_e1795.y - _e433))) + (_e1785 * (_e1795.z - _e469)));
-                                                                        let _e1813 = (_e1758 - _e1762);
-                                                                        let _e1814 = (_e1756 - _e1760);
-                                                                        let _e1822 = (-(((_e1762 * _e1813) + (_e1760 * _e1814))) / ((_e1813 * _e1813) + (_e1814 * _e1814)));
+                                                                        let _e1796 = phi_2406_;
+                                                                        let _e1807 = (((_e1778 * (_e1796.x - _e397)) + (_e1783 * (_e1796.y - _e434))) + (_e1786 * (_e1796.z - _e470)));
+                                                                        let _e1812 = (((_e1778 * _e422) + (_e1783 * _e458)) + (_e1786 * _e494));
+                                                                        let _e1813 = (_e1759 - _e1763);
+                                                                        let _e1814 = (_e1757 - _e1761);
+                                                                        let _e1822 = (-(((_e1763 * _e1813) + (_e1761 * _e1814))) / ((_e1813 * _e1813) + (_e1814 * _e1814)));
                                                                         let _e1824 = select(1f, _e1822, (_e1822 < 1f));
                                                                         let _e1826 = select(0f, _e1824, (_e1824 > 0f));
-                                                                        let _e1839 = ((_e1764.x + (_e1770.x * _e1826)) - _e396);
-                                                                        let _e1840 = ((_e1764.y + (_e1770.y * _e1826)) - _e433);
-                                                                        let _e1841 = ((_e1764.z + (_e1770.z * _e1826)) - _e469);
-                                                                        let _e1842 = (_e1841 / _e493);
+                                                                        let _e1839 = ((_e1765.x + (_e1771.x * _e1826)) - _e397);
+                                                                        let _e1840 = ((_e1765.y + (_e1771.y * _e1826)) - _e434);
+                                                                        let _e1841 = ((_e1765.z + (_e1771.z * _e1826)) - _e470);
+                                                                        let _e1842 = (_e1841 / _e494);
                                                                         let _e1854 = bitcast<f32>((bitcast<u32>(_e1839) & 2147483647u));
                                                                         let _e1857 = bitcast<f32>((bitcast<u32>(_e1840) & 2147483647u));
                                                                         let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
                                                                         let _e1862 = bitcast<f32>((bitcast<u32>(_e1841) & 2147483647u));
                                                                         let _e1864 = select(_e1862, _e1859, (_e1859 > _e1862));
-                                                                        let _e1870 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
-                                                                        let _e1873 = bitcast<f32>((bitcast<u32>(_e1782) & 2147483647u));
+                                                                        let _e1870 = bitcast<f32>((bitcast<u32>(_e1778) & 2147483647u));
+                                                                        let _e1873 = bitcast<f32>((bitcast<u32>(_e1783) & 2147483647u));
                                                                         let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
-                                                                        let _e1878 = bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u));
-                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1777 * _e1839) + (_e1782 * _e1840)) + (_e1785 * _e1841)) - _e1811)) & 2147483647u)) <= ((0.0000009536743f * select(_e1743, _e1864, (_e1864 > _e1743))) * select(_e1878, _e1875, (_e1875 > _e1878)))) {
-                                                                            let _e1888 = bitcast<f32>((bitcast<u32>(_e1768.x) & 2147483647u));
-                                                                            let _e1891 = bitcast<f32>((bitcast<u32>(_e1768.y) & 2147483647u));
+                                                                        let _e1878 = bitcast<f32>((bitcast<u32>(_e1786) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1778 * _e1839) + (_e1783 * _e1840)) + (_e1786 * _e1841)) - _e1807)) & 2147483647u)) <= ((0.0000009536743f * select(_e1744, _e1864, (_e1864 > _e1744))) * select(_e1878, _e1875, (_e1875 > _e1878)))) {
+                                                                            let _e1888 = bitcast<f32>((bitcast<u32>(_e1769.x) & 2147483647u));
+                                                                            let _e1891 = bitcast<f32>((bitcast<u32>(_e1769.y) & 2147483647u));
                                                                             let _e1893 = select(_e1891, _e1888, (_e1888 > _e1891));
-                                                                            let _e1896 = bitcast<f32>((bitcast<u32>(_e1768.z) & 2147483647u));
-                                                                            let _e1902 = bitcast<f32>((bitcast<u32>(_e1766.x) & 2147483647u));
-                                                                            let _e1905 = bitcast<f32>((bitcast<u32>(_e1766.y) & 2147483647u));
+                                                                            let _e1896 = bitcast<f32>((bitcast<u32>(_e1769.z) & 2147483647u));
+                                                                            let _e1902 = bitcast<f32>((bitcast<u32>(_e1767.x) & 2147483647u));
+                                                                            let _e1905 = bitcast<f32>((bitcast<u32>(_e1767.y) & 2147483647u));
                                                                             let _e1907 = select(_e1905, _e1902, (_e1902 > _e1905));
-                                                                            let _e1910 = bitcast<f32>((bitcast<u32>(_e1766.z) & 2147483647u));
-                                                                            phi_2572_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1800) & 2147483647u)) > ((0.0000038146973f * select(_e1896, _e1893, (_e1893 > _e1896))) * select(_e1910, _e1907, (_e1907 > _e1910)))));
-                                                                        } else {
-                                                                            phi_2572_ = true;
-                                                                        }
-                                                                        let _e1917 = phi_2572_;
-                                                                        if _e1917 {
-                                                                            let _e1928 = ((((_e1777 * (_e1839 - (_e421 * _e1842))) + (_e1782 * (_e1840 - (_e457 * _e1842)))) + (_e1785 * (_e1841 - _e1841))) / _e1800);
-                                                                            if (bitcast<f32>((bitcast<u32>(_e1928) & 2147483647u)) <= _e1743) {
-                                                                                phi_2596_ = (_e1842 + _e1928);
+                                                                            let _e1910 = bitcast<f32>((bitcast<u32>(_e1767.z) & 2147483647u));
+                                                                            let _e1914 = (bitcast<f32>((bitcast<u32>(_e1812) & 2147483647u)) > ((0.0000038146973f * select(_e1896, _e1893, (_e1893 > _e1896))) * select(_e1910, _e1907, (_e1907 > _e1910))));
+                                                                            if _e1914 {
+                                                                                phi_2571_ = (_e1807 / _e1812);
                                                                             } else {
-                                                                                phi_2596_ = _e1842;
+                                                                                phi_2571_ = f32();
                                                                             }
-                                                                            let _e1935 = phi_2596_;
-                                                                            phi_2597_ = _e1935;
+                                                                            let _e1917 = phi_2571_;
+                                                                            phi_2573_ = _e1917;
+                                                                            phi_2574_ = select(true, false, _e1914);
                                                                         } else {
-                                                                            phi_2597_ = (_e1811 / _e1800);
+                                                                            phi_2573_ = f32();
+                                                                            phi_2574_ = true;
                                                                         }
-                                                                        let _e1937 = phi_2597_;
-                                                                        let _e1939 = select(_e1676, _e1937, (_e1937 < _e1676));
-                                                                        let _e1941 = select(_e1668, _e1939, (_e1939 > _e1668));
-                                                                        if (_e1941 >= _e542) {
-                                                                            let _e1943 = (_e1941 <= _e1094.member_1);
-                                                                            if _e1943 {
-                                                                                let _e1944 = (1f / _e1595);
-                                                                                phi_2620_ = type_25(_e1941, (_e1589 * _e1944), (_e1593 * _e1944), _e1154);
+                                                                        let _e1920 = phi_2573_;
+                                                                        let _e1922 = phi_2574_;
+                                                                        if _e1922 {
+                                                                            let _e1930 = (((_e1778 * (_e1839 - (_e422 * _e1842))) + (_e1783 * (_e1840 - (_e458 * _e1842)))) / _e1812);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1930) & 2147483647u)) <= _e1744) {
+                                                                                phi_2594_ = (_e1842 + _e1930);
                                                                             } else {
-                                                                                phi_2620_ = type_25();
+                                                                                phi_2594_ = _e1842;
                                                                             }
-                                                                            let _e1949 = phi_2620_;
-                                                                            phi_2622_ = _e1949;
-                                                                            phi_2623_ = select(true, false, _e1943);
+                                                                            let _e1937 = phi_2594_;
+                                                                            phi_2595_ = _e1937;
                                                                         } else {
-                                                                            phi_2622_ = type_25();
-                                                                            phi_2623_ = true;
+                                                                            phi_2595_ = _e1920;
                                                                         }
-                                                                        let _e1952 = phi_2622_;
-                                                                        let _e1954 = phi_2623_;
-                                                                        if _e1954 {
-                                                                            phi_2627_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        let _e1939 = phi_2595_;
+                                                                        let _e1941 = select(_e1677, _e1939, (_e1939 < _e1677));
+                                                                        let _e1943 = select(_e1669, _e1941, (_e1941 > _e1669));
+                                                                        if (_e1943 >= _e543) {
+                                                                            let _e1945 = (_e1943 <= _e1095.member_1);
+                                                                            if _e1945 {
+                                                                                let _e1946 = (1f / _e1596);
+                                                                                phi_2618_ = type_25(_e1943, (_e1590 * _e1946), (_e1594 * _e1946), _e1155);
+                                                                            } else {
+                                                                                phi_2618_ = type_25();
+                                                                            }
+                                                                            let _e1951 = phi_2618_;
+                                                                            phi_2620_ = _e1951;
+                                                                            phi_2621_ = select(true, false, _e1945);
                                                                         } else {
-                                                                            phi_2627_ = _e1952;
+                                                                            phi_2620_ = type_25();
+                                                                            phi_2621_ = true;
                                                                         }
-                                                                        let _e1956 = phi_2627_;
-                                                                        phi_2628_ = _e1956;
+                                                                        let _e1954 = phi_2620_;
+                                                                        let _e1956 = phi_2621_;
+                                                                        if _e1956 {
+                                                                            phi_2625_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2625_ = _e1954;
+                                                                        }
+                                                                        let _e1958 = phi_2625_;
+                                                                        phi_2626_ = _e1958;
                                                                     }
-                                                                    let _e1958 = phi_2628_;
-                                                                    phi_2629_ = _e1958;
-                                                                    phi_2630_ = _e1685;
+                                                                    let _e1960 = phi_2626_;
+                                                                    phi_2627_ = _e1960;
+                                                                    phi_2628_ = _e1686;
                                                                 }
-                                                                let _e1960 = phi_2629_;
-                                                                let _e1962 = phi_2630_;
-                                                                phi_2634_ = _e1960;
-                                                                phi_2635_ = _e1962;
+                                                                let _e1962 = phi_2627_;
+                                                                let _e1964 = phi_2628_;
+                                                                phi_2632_ = _e1962;
+                                                                phi_2633_ = _e1964;
                                                             }
-                                                            let _e1964 = phi_2634_;
-                                                            let _e1966 = phi_2635_;
-                                                            phi_2636_ = _e1964;
-                                                            phi_2637_ = _e1620;
-                                                            phi_2638_ = _e1966;
+                                                            let _e1966 = phi_2632_;
+                                                            let _e1968 = phi_2633_;
+                                                            phi_2634_ = _e1966;
+                                                            phi_2635_ = _e1621;
+                                                            phi_2636_ = _e1968;
                                                         }
-                                                        let _e1968 = phi_2636_;
-                                                        let _e1970 = phi_2637_;
-                                                        let _e1972 = phi_2638_;
-                                                        phi_2639_ = _e1968;
-                                                        phi_2640_ = _e1970;
-                                                        phi_2641_ = _e1972;
+                                                        let _e1970 = phi_2634_;
+                                                        let _e1972 = phi_2635_;
+                                                        let _e1974 = phi_2636_;
+                                                        phi_2637_ = _e1970;
+                                                        phi_2638_ = _e1972;
+                                                        phi_2639_ = _e1974;
                                                     }
-                                                    let _e1974 = phi_2639_;
-                                                    let _e1976 = phi_2640_;
-                                                    let _e1978 = phi_2641_;
-                                                    phi_2649_ = _e1974;
-                                                    phi_2650_ = select(_e1978, true, _e1976);
+                                                    let _e1976 = phi_2637_;
+                                                    let _e1978 = phi_2638_;
+                                                    let _e1980 = phi_2639_;
+                                                    phi_2647_ = _e1976;
+                                                    phi_2648_ = select(_e1980, true, _e1978);
                                                 } else {
-                                                    phi_2649_ = type_25();
-                                                    phi_2650_ = true;
+                                                    phi_2647_ = type_25();
+                                                    phi_2648_ = true;
                                                 }
-                                                let _e1981 = phi_2649_;
-                                                let _e1983 = phi_2650_;
-                                                if _e1983 {
-                                                    phi_2654_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1983 = phi_2647_;
+                                                let _e1985 = phi_2648_;
+                                                if _e1985 {
+                                                    phi_2652_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2654_ = _e1981;
+                                                    phi_2652_ = _e1983;
                                                 }
-                                                let _e1985 = phi_2654_;
-                                                if (_e1985.member_3 != 4294967295u) {
-                                                    if (_e1154 == _e170) {
-                                                        phi_2983_ = false;
+                                                let _e1987 = phi_2652_;
+                                                if (_e1987.member_3 != 4294967295u) {
+                                                    if (_e1155 == _e171) {
+                                                        phi_2981_ = false;
                                                     } else {
-                                                        let _e1989 = (_e1154 < arrayLength((&global_5.member)));
-                                                        if _e1989 {
-                                                            if _e1989 {
+                                                        let _e1991 = (_e1155 < arrayLength((&global_5.member)));
+                                                        if _e1991 {
+                                                            if _e1991 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1991 = global_5.member[_e1154];
-                                                            phi_2677_ = _e1991;
+                                                            let _e1993 = global_5.member[_e1155];
+                                                            phi_2675_ = _e1993;
                                                         } else {
-                                                            phi_2677_ = 4294967295u;
+                                                            phi_2675_ = 4294967295u;
                                                         }
-                                                        let _e1993 = phi_2677_;
-                                                        let _e1994 = (_e1993 < arrayLength((&global_6.member)));
-                                                        if _e1994 {
-                                                            if _e1994 {
+                                                        let _e1995 = phi_2675_;
+                                                        let _e1996 = (_e1995 < arrayLength((&global_6.member)));
+                                                        if _e1996 {
+                                                            if _e1996 {
                                                             } else {
-                                                                phi_4590_ = true;
+                                                                phi_4588_ = true;
                                                                 break;
                                                             }
-                                                            let _e1996 = global_6.member[_e1993];
-                                                            phi_2691_ = _e1996;
+                                                            let _e1998 = global_6.member[_e1995];
+                                                            phi_2689_ = _e1998;
                                                         } else {
-                                                            phi_2691_ = 0i;
+                                                            phi_2689_ = 0i;
                                                         }
-                                                        let _e1998 = phi_2691_;
-                                                        let _e1999 = (_e1998 == 0i);
-                                                        if _e1999 {
-                                                            phi_2982_ = true;
+                                                        let _e2000 = phi_2689_;
+                                                        let _e2001 = (_e2000 == 0i);
+                                                        if _e2001 {
+                                                            phi_2980_ = true;
                                                         } else {
-                                                            if _e388 {
-                                                                phi_2712_ = vec3<f32>(_e1523[0][0], _e1523[0][1], _e1523[0][2]);
+                                                            if _e389 {
+                                                                phi_2710_ = vec3<f32>(_e1524[0][0], _e1524[0][1], _e1524[0][2]);
                                                             } else {
-                                                                if (_e364 == 1u) {
-                                                                    phi_2711_ = vec3<f32>(_e1523[0][2], _e1523[0][0], _e1523[0][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2709_ = vec3<f32>(_e1524[0][2], _e1524[0][0], _e1524[0][1]);
                                                                 } else {
-                                                                    phi_2711_ = vec3<f32>(_e1523[0][1], _e1523[0][2], _e1523[0][0]);
+                                                                    phi_2709_ = vec3<f32>(_e1524[0][1], _e1524[0][2], _e1524[0][0]);
                                                                 }
-                                                                let _e2004 = phi_2711_;
-                                                                phi_2712_ = _e2004;
+                                                                let _e2006 = phi_2709_;
+                                                                phi_2710_ = _e2006;
                                                             }
-                                                            let _e2007 = phi_2712_;
-                                                            if _e388 {
-                                                                phi_2729_ = vec3<f32>(_e1523[1][0], _e1523[1][1], _e1523[1][2]);
+                                                            let _e2009 = phi_2710_;
+                                                            if _e389 {
+                                                                phi_2727_ = vec3<f32>(_e1524[1][0], _e1524[1][1], _e1524[1][2]);
                                                             } else {
-                                                                if (_e364 == 1u) {
-                                                                    phi_2728_ = vec3<f32>(_e1523[1][2], _e1523[1][0], _e1523[1][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2726_ = vec3<f32>(_e1524[1][2], _e1524[1][0], _e1524[1][1]);
                                                                 } else {
-                                                                    phi_2728_ = vec3<f32>(_e1523[1][1], _e1523[1][2], _e1523[1][0]);
+                                                                    phi_2726_ = vec3<f32>(_e1524[1][1], _e1524[1][2], _e1524[1][0]);
                                                                 }
-                                                                let _e2012 = phi_2728_;
-                                                                phi_2729_ = _e2012;
+                                                                let _e2014 = phi_2726_;
+                                                                phi_2727_ = _e2014;
                                                             }
-                                                            let _e2015 = phi_2729_;
-                                                            if _e388 {
-                                                                phi_2746_ = vec3<f32>(_e1523[2][0], _e1523[2][1], _e1523[2][2]);
+                                                            let _e2017 = phi_2727_;
+                                                            if _e389 {
+                                                                phi_2744_ = vec3<f32>(_e1524[2][0], _e1524[2][1], _e1524[2][2]);
                                                             } else {
-                                                                if (_e364 == 1u) {
-                                                                    phi_2745_ = vec3<f32>(_e1523[2][2], _e1523[2][0], _e1523[2][1]);
+                                                                if (_e365 == 1u) {
+                                                                    phi_2743_ = vec3<f32>(_e1524[2][2], _e1524[2][0], _e1524[2][1]);
                                                                 } else {
-                                                                    phi_2745_ = vec3<f32>(_e1523[2][1], _e1523[2][2], _e1523[2][0]);
+                                                                    phi_2743_ = vec3<f32>(_e1524[2][1], _e1524[2][2], _e1524[2][0]);
                                                                 }
-                                                                let _e2020 = phi_2745_;
-                                                                phi_2746_ = _e2020;
+                                                                let _e2022 = phi_2743_;
+                                                                phi_2744_ = _e2022;
                                                             }
-                                                            let _e2023 = phi_2746_;
-                                                            let _e2026 = (_e2015.x - _e2007.x);
-                                                            let _e2029 = (_e2015.y - _e2007.y);
-                                                            let _e2032 = (_e2015.z - _e2007.z);
-                                                            let _e2034 = (_e2023.x - _e2007.x);
-                                                            let _e2036 = (_e2023.y - _e2007.y);
-                                                            let _e2038 = (_e2023.z - _e2007.z);
-                                                            if (_e242.member_1 == 1u) {
-                                                                phi_2782_ = (vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]) - _e2007);
+                                                            let _e2025 = phi_2744_;
+                                                            let _e2028 = (_e2017.x - _e2009.x);
+                                                            let _e2031 = (_e2017.y - _e2009.y);
+                                                            let _e2034 = (_e2017.z - _e2009.z);
+                                                            let _e2036 = (_e2025.x - _e2009.x);
+                                                            let _e2038 = (_e2025.y - _e2009.y);
+                                                            let _e2040 = (_e2025.z - _e2009.z);
+                                                            if (_e243.member_1 == 1u) {
+                                                                phi_2780_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e2009);
                                                             } else {
-                                                                phi_2782_ = vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]);
+                                                                phi_2780_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                             }
-                                                            let _e2053 = phi_2782_;
-                                                            let _e2059 = bitcast<f32>((bitcast<u32>((_e2026 * _e2036)) ^ _e242.member_3[0]));
-                                                            let _e2063 = bitcast<f32>((bitcast<u32>((_e2029 * _e2034)) ^ _e242.member_3[0]));
-                                                            let _e2067 = bitcast<f32>((bitcast<u32>((_e2029 * _e2038)) ^ _e242.member_3[0]));
-                                                            let _e2071 = bitcast<f32>((bitcast<u32>((_e2032 * _e2036)) ^ _e242.member_3[0]));
-                                                            let _e2075 = bitcast<f32>((bitcast<u32>((_e2032 * _e2034)) ^ _e242.member_3[0]));
-                                                            let _e2079 = bitcast<f32>((bitcast<u32>((_e2026 * _e2038)) ^ _e242.member_3[0]));
-                                                            let _e2080 = (_e2067 - _e2071);
-                                                            let _e2081 = (_e2075 - _e2079);
-                                                            let _e2082 = (_e2059 - _e2063);
-                                                            let _e2106 = (bitcast<f32>((bitcast<u32>(_e2067) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2071) & 2147483647u)));
-                                                            let _e2113 = (bitcast<f32>((bitcast<u32>(_e2075) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)));
-                                                            let _e2120 = (bitcast<f32>((bitcast<u32>(_e2059) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2063) & 2147483647u)));
-                                                            if (_e242.member_2 == 0f) {
-                                                                phi_2964_ = 0f;
+                                                            let _e2055 = phi_2780_;
+                                                            let _e2061 = bitcast<f32>((bitcast<u32>((_e2028 * _e2038)) ^ _e243.member_3[0]));
+                                                            let _e2065 = bitcast<f32>((bitcast<u32>((_e2031 * _e2036)) ^ _e243.member_3[0]));
+                                                            let _e2069 = bitcast<f32>((bitcast<u32>((_e2031 * _e2040)) ^ _e243.member_3[0]));
+                                                            let _e2073 = bitcast<f32>((bitcast<u32>((_e2034 * _e2038)) ^ _e243.member_3[0]));
+                                                            let _e2077 = bitcast<f32>((bitcast<u32>((_e2034 * _e2036)) ^ _e243.member_3[0]));
+                                                            let _e2081 = bitcast<f32>((bitcast<u32>((_e2028 * _e2040)) ^ _e243.member_3[0]));
+                                                            let _e2082 = (_e2069 - _e2073);
+                                                            let _e2083 = (_e2077 - _e2081);
+                                                            let _e2084 = (_e2061 - _e2065);
+                                                            let _e2108 = (bitcast<f32>((bitcast<u32>(_e2069) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2073) & 2147483647u)));
+                                                            let _e2115 = (bitcast<f32>((bitcast<u32>(_e2077) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u)));
+                                                            let _e2122 = (bitcast<f32>((bitcast<u32>(_e2061) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2065) & 2147483647u)));
+                                                            if (_e243.member_2 == 0f) {
+                                                                phi_2962_ = 0f;
                                                             } else {
-                                                                let _e2150 = bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u));
-                                                                let _e2153 = bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u));
-                                                                let _e2156 = bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u));
-                                                                let _e2158 = select(_e2156, _e2153, (_e2153 > _e2156));
-                                                                let _e2162 = select(_e2156, _e2153, (_e2153 < _e2156));
-                                                                let _e2166 = select(_e2153, _e2150, (_e2150 < _e2153));
-                                                                let _e2168 = select(_e2153, _e2150, (_e2150 > _e2153));
-                                                                let _e2170 = select(_e2156, _e2168, (_e2168 < _e2156));
-                                                                phi_2964_ = bitcast<f32>((bitcast<u32>((_e242.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2158, _e2150, (_e2150 > _e2158)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2170, _e2166, (_e2166 > _e2170)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2162, _e2150, (_e2150 < _e2162)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2106 + _e2113) + _e2120))) ^ _e242.member_3[0]))) * 1.0000005f)) ^ _e242.member_3[0])))) ^ _e242.member_3[0]));
+                                                                let _e2152 = bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u));
+                                                                let _e2155 = bitcast<f32>((bitcast<u32>(_e2083) & 2147483647u));
+                                                                let _e2158 = bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u));
+                                                                let _e2160 = select(_e2158, _e2155, (_e2155 > _e2158));
+                                                                let _e2164 = select(_e2158, _e2155, (_e2155 < _e2158));
+                                                                let _e2168 = select(_e2155, _e2152, (_e2152 < _e2155));
+                                                                let _e2170 = select(_e2155, _e2152, (_e2152 > _e2155));
+                                                                let _e2172 = select(_e2158, _e2170, (_e2170 < _e2158));
+                                                                phi_2962_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2160, _e2152, (_e2152 > _e2160)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2172, _e2168, (_e2168 > _e2172)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2164, _e2152, (_e2152 < _e2164)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2108 + _e2115) + _e2122))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                             }
-                                                            let _e2197 = phi_2964_;
-                                                            phi_2982_ = (_e1999 || !(((((bitcast<f32>((bitcast<u32>((_e2053.x * _e2080)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2053.y * _e2081)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2053.z * _e2082)) ^ _e242.member_3[0]))) * f32(-(_e1998))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.x) & 2147483647u)) * _e2106)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.y) & 2147483647u)) * _e2113)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.z) & 2147483647u)) * _e2120)) ^ _e242.member_3[0]))))) ^ _e242.member_3[0])) + _e2197) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2199 = phi_2962_;
+                                                            phi_2980_ = (_e2001 || !(((((bitcast<f32>((bitcast<u32>((_e2055.x * _e2082)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2055.y * _e2083)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2055.z * _e2084)) ^ _e243.member_3[0]))) * f32(-(_e2000))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.x) & 2147483647u)) * _e2108)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.y) & 2147483647u)) * _e2115)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2055.z) & 2147483647u)) * _e2122)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e2199) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2211 = phi_2982_;
-                                                        phi_2983_ = _e2211;
+                                                        let _e2213 = phi_2980_;
+                                                        phi_2981_ = _e2213;
                                                     }
-                                                    let _e2213 = phi_2983_;
-                                                    if _e2213 {
-                                                        if (_e1985.member < _e1094.member.member) {
-                                                            phi_3003_ = true;
+                                                    let _e2215 = phi_2981_;
+                                                    if _e2215 {
+                                                        if (_e1987.member < _e1095.member.member) {
+                                                            phi_3001_ = true;
                                                         } else {
-                                                            if (_e1985.member == _e1094.member.member) {
-                                                                phi_3002_ = (_e1985.member_3 < _e1094.member.member_3);
+                                                            if (_e1987.member == _e1095.member.member) {
+                                                                phi_3000_ = (_e1987.member_3 < _e1095.member.member_3);
                                                             } else {
-                                                                phi_3002_ = false;
+                                                                phi_3000_ = false;
                                                             }
-                                                            let _e2223 = phi_3002_;
-                                                            phi_3003_ = _e2223;
+                                                            let _e2225 = phi_3000_;
+                                                            phi_3001_ = _e2225;
                                                         }
-                                                        let _e2225 = phi_3003_;
-                                                        if _e2225 {
-                                                            phi_3009_ = type_42(_e1985, _e1985.member);
+                                                        let _e2227 = phi_3001_;
+                                                        if _e2227 {
+                                                            phi_3007_ = type_42(_e1987, _e1987.member);
                                                         } else {
-                                                            phi_3009_ = _e1094;
+                                                            phi_3007_ = _e1095;
                                                         }
-                                                        let _e2228 = phi_3009_;
-                                                        phi_3010_ = _e2228;
+                                                        let _e2230 = phi_3007_;
+                                                        phi_3008_ = _e2230;
                                                     } else {
-                                                        phi_3010_ = _e1094;
+                                                        phi_3008_ = _e1095;
                                                     }
-                                                    let _e2230 = phi_3010_;
-                                                    phi_3011_ = _e2230;
+                                                    let _e2232 = phi_3008_;
+                                                    phi_3009_ = _e2232;
                                                 } else {
-                                                    phi_3011_ = _e1094;
+                                                    phi_3009_ = _e1095;
                                                 }
-                                                let _e2232 = phi_3011_;
-                                                phi_1093_ = _e2232;
+                                                let _e2234 = phi_3009_;
+                                                phi_1094_ = _e2234;
                                             } else {
-                                                phi_1093_ = type_42();
+                                                phi_1094_ = type_42();
                                             }
-                                            let _e2234 = phi_1093_;
+                                            let _e2236 = phi_1094_;
                                             continue;
                                             continuing {
-                                                phi_1092_ = _e2234;
-                                                phi_1095_ = _e1109;
-                                                phi_4590_ = _e584;
-                                                break if !(_e1115);
+                                                phi_1093_ = _e2236;
+                                                phi_1096_ = _e1110;
+                                                phi_4588_ = _e585;
+                                                break if !(_e1116);
                                             }
                                         }
-                                        let _e2237 = phi_4590_;
-                                        phi_4803_ = _e2237;
-                                        if _e2237 {
+                                        let _e2239 = phi_4588_;
+                                        phi_4801_ = _e2239;
+                                        if _e2239 {
                                             break;
                                         }
-                                        phi_4807_ = _e2237;
-                                        let _e2503 = local_11;
-                                        phi_4251_ = _e2503;
-                                        phi_4252_ = _e625;
-                                        phi_4253_ = false;
-                                        phi_4254_ = _e629;
+                                        phi_4805_ = _e2239;
+                                        let _e2507 = local_11;
+                                        phi_4249_ = _e2507;
+                                        phi_4250_ = _e626;
+                                        phi_4251_ = false;
+                                        phi_4252_ = _e630;
                                     } else {
-                                        if (_e625.member_1 >= _e102) {
-                                            phi_3807_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e626.member_1 >= _e103) {
+                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e625.member_1 < _e102) {
+                                            if (_e626.member_1 < _e103) {
                                             } else {
-                                                phi_4803_ = true;
+                                                phi_4801_ = true;
                                                 break;
                                             }
-                                            let _e642 = ((1u + _e364) % 4u);
-                                            if (_e642 < 4u) {
+                                            let _e643 = ((1u + _e365) % 4u);
+                                            if (_e643 < 4u) {
                                             } else {
-                                                phi_4803_ = true;
+                                                phi_4801_ = true;
                                                 break;
                                             }
-                                            let _e647 = global_4.member[_e625.member_1][_e642];
-                                            let _e649 = (_e647 >> bitcast<u32>(11u));
-                                            let _e651 = ((1u + _e363) % 4u);
-                                            if (_e651 < 4u) {
+                                            let _e648 = global_4.member[_e626.member_1][_e643];
+                                            let _e650 = (_e648 >> bitcast<u32>(11u));
+                                            let _e652 = ((1u + _e364) % 4u);
+                                            if (_e652 < 4u) {
                                             } else {
-                                                phi_4803_ = true;
+                                                phi_4801_ = true;
                                                 break;
                                             }
-                                            let _e656 = global_4.member[_e625.member_1][_e651];
-                                            let _e658 = (_e656 >> bitcast<u32>(11u));
-                                            let _e660 = ((1u + _e365) % 4u);
-                                            if (_e660 < 4u) {
+                                            let _e657 = global_4.member[_e626.member_1][_e652];
+                                            let _e659 = (_e657 >> bitcast<u32>(11u));
+                                            let _e661 = ((1u + _e366) % 4u);
+                                            if (_e661 < 4u) {
                                             } else {
-                                                phi_4803_ = true;
+                                                phi_4801_ = true;
                                                 break;
                                             }
-                                            let _e665 = global_4.member[_e625.member_1][_e660];
-                                            let _e667 = (_e665 >> bitcast<u32>(11u));
-                                            let _e690 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.x - _e625.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e691 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.y - _e625.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e692 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.z - _e625.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e694 = select(_e161, _e690, (_e690 > _e161));
-                                            let _e696 = select(_e161, _e691, (_e691 > _e161));
-                                            let _e698 = select(_e161, _e692, (_e692 > _e161));
-                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e647 & 1023u))) * _e694));
-                                            let _e728 = (bitcast<i32>((_e647 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
-                                            let _e732 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e696));
-                                            let _e737 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e740 = bitcast<f32>((_e732 & bitcast<u32>(_e737)));
-                                            let _e741 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e698));
-                                            let _e746 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e749 = bitcast<f32>((_e741 & bitcast<u32>(_e746)));
-                                            let _e753 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
-                                            let _e757 = bitcast<f32>((_e732 & bitcast<u32>(~(_e737))));
-                                            let _e761 = bitcast<f32>((_e741 & bitcast<u32>(~(_e746))));
-                                            let _e762 = bitcast<u32>((f32(bitcast<i32>((_e649 & 1023u))) * _e694));
-                                            let _e767 = (bitcast<i32>((_e649 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e770 = bitcast<f32>((_e762 & bitcast<u32>(_e767)));
-                                            let _e771 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e696));
-                                            let _e776 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
-                                            let _e780 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e698));
-                                            let _e785 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e788 = bitcast<f32>((_e780 & bitcast<u32>(_e785)));
-                                            let _e792 = bitcast<f32>((_e762 & bitcast<u32>(~(_e767))));
-                                            let _e796 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
-                                            let _e800 = bitcast<f32>((_e780 & bitcast<u32>(~(_e785))));
-                                            let _e801 = (_e625.member.member.x + _e731);
-                                            let _e802 = (_e625.member.member.y + _e740);
-                                            let _e803 = (_e625.member.member.z + _e749);
-                                            let _e806 = (_e625.member.member_1.x - _e770);
-                                            let _e807 = (_e625.member.member_1.y - _e779);
-                                            let _e808 = (_e625.member.member_1.z - _e788);
-                                            let _e827 = (_e806 - _e801);
+                                            let _e666 = global_4.member[_e626.member_1][_e661];
+                                            let _e668 = (_e666 >> bitcast<u32>(11u));
+                                            let _e691 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.x - _e626.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e692 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.y - _e626.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e693 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.z - _e626.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e695 = select(_e162, _e691, (_e691 > _e162));
+                                            let _e697 = select(_e162, _e692, (_e692 > _e162));
+                                            let _e699 = select(_e162, _e693, (_e693 > _e162));
+                                            let _e724 = bitcast<u32>((f32(bitcast<i32>((_e648 & 1023u))) * _e695));
+                                            let _e729 = (bitcast<i32>((_e648 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
+                                            let _e733 = bitcast<u32>((f32(bitcast<i32>((_e657 & 1023u))) * _e697));
+                                            let _e738 = (bitcast<i32>((_e657 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e741 = bitcast<f32>((_e733 & bitcast<u32>(_e738)));
+                                            let _e742 = bitcast<u32>((f32(bitcast<i32>((_e666 & 1023u))) * _e699));
+                                            let _e747 = (bitcast<i32>((_e666 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
+                                            let _e754 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
+                                            let _e758 = bitcast<f32>((_e733 & bitcast<u32>(~(_e738))));
+                                            let _e762 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
+                                            let _e763 = bitcast<u32>((f32(bitcast<i32>((_e650 & 1023u))) * _e695));
+                                            let _e768 = (bitcast<i32>((_e650 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e771 = bitcast<f32>((_e763 & bitcast<u32>(_e768)));
+                                            let _e772 = bitcast<u32>((f32(bitcast<i32>((_e659 & 1023u))) * _e697));
+                                            let _e777 = (bitcast<i32>((_e659 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e780 = bitcast<f32>((_e772 & bitcast<u32>(_e777)));
+                                            let _e781 = bitcast<u32>((f32(bitcast<i32>((_e668 & 1023u))) * _e699));
+                                            let _e786 = (bitcast<i32>((_e668 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
+                                            let _e793 = bitcast<f32>((_e763 & bitcast<u32>(~(_e768))));
+                                            let _e797 = bitcast<f32>((_e772 & bitcast<u32>(~(_e777))));
+                                            let _e801 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
+                                            let _e802 = (_e626.member.member.x + _e732);
+                                            let _e803 = (_e626.member.member.y + _e741);
+                                            let _e804 = (_e626.member.member.z + _e750);
+                                            let _e807 = (_e626.member.member_1.x - _e771);
+                                            let _e808 = (_e626.member.member_1.y - _e780);
+                                            let _e809 = (_e626.member.member_1.z - _e789);
                                             let _e828 = (_e807 - _e802);
                                             let _e829 = (_e808 - _e803);
-                                            let _e831 = select(_e828, _e827, (_e827 > _e828));
-                                            let _e833 = select(_e829, _e831, (_e831 > _e829));
-                                            if (_e833 < (1024f * _e161)) {
-                                                phi_3508_ = 0u;
+                                            let _e830 = (_e809 - _e804);
+                                            let _e832 = select(_e829, _e828, (_e828 > _e829));
+                                            let _e834 = select(_e830, _e832, (_e832 > _e830));
+                                            if (_e834 < (1024f * _e162)) {
+                                                phi_3506_ = 0u;
                                             } else {
-                                                phi_3508_ = select(2u, 1u, (_e833 < (2097152f * _e161)));
+                                                phi_3506_ = select(2u, 1u, (_e834 < (2097152f * _e162)));
                                             }
-                                            let _e840 = phi_3508_;
-                                            switch bitcast<i32>(_e840) {
+                                            let _e841 = phi_3506_;
+                                            switch bitcast<i32>(_e841) {
                                                 case 0: {
-                                                    phi_3514_ = 1u;
+                                                    phi_3512_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3514_ = 2u;
+                                                    phi_3512_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3514_ = 3u;
+                                                    phi_3512_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3514_ = u32();
+                                                    phi_3512_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e843 = phi_3514_;
-                                            let _e849 = global_4.member[_e625.member_1][0u];
-                                            let _e853 = global_4.member[_e625.member_1][1u];
-                                            let _e857 = global_4.member[_e625.member_1][2u];
-                                            let _e861 = global_4.member[_e625.member_1][3u];
-                                            let _e873 = (((_e853 >> bitcast<u32>(22i)) | ((_e857 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e861 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e874 = (_e849 & 268435455u);
-                                            let _e875 = (_e873 & 268435455u);
-                                            let _e878 = ((_e849 >> bitcast<u32>(28u)) & 7u);
-                                            let _e886 = ((_e849 >> bitcast<u32>(31i)) | (((_e873 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e887 = (_e878 != 0u);
-                                            if (_e878 == 0u) {
-                                                phi_3769_ = _e874;
+                                            let _e844 = phi_3512_;
+                                            let _e850 = global_4.member[_e626.member_1][0u];
+                                            let _e854 = global_4.member[_e626.member_1][1u];
+                                            let _e858 = global_4.member[_e626.member_1][2u];
+                                            let _e862 = global_4.member[_e626.member_1][3u];
+                                            let _e874 = (((_e854 >> bitcast<u32>(22i)) | ((_e858 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e862 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e875 = (_e850 & 268435455u);
+                                            let _e876 = (_e874 & 268435455u);
+                                            let _e879 = ((_e850 >> bitcast<u32>(28u)) & 7u);
+                                            let _e887 = ((_e850 >> bitcast<u32>(31i)) | (((_e874 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e888 = (_e879 != 0u);
+                                            if (_e879 == 0u) {
+                                                phi_3767_ = _e875;
                                             } else {
-                                                if (_e878 == 7u) {
-                                                    phi_3768_ = 2147483648u;
+                                                if (_e879 == 7u) {
+                                                    phi_3766_ = 2147483648u;
                                                 } else {
-                                                    phi_3768_ = ((2147483648u | (_e878 << bitcast<u32>(28u))) | (_e875 & 268435455u));
+                                                    phi_3766_ = ((2147483648u | (_e879 << bitcast<u32>(28u))) | (_e876 & 268435455u));
                                                 }
-                                                let _e896 = phi_3768_;
-                                                phi_3769_ = _e896;
+                                                let _e897 = phi_3766_;
+                                                phi_3767_ = _e897;
                                             }
-                                            let _e898 = phi_3769_;
-                                            if _e887 {
-                                                let _e899 = (_e878 != 7u);
-                                                if _e899 {
-                                                    phi_3779_ = (_e875 + (_e878 * ((3u * _e843) + 1u)));
+                                            let _e899 = phi_3767_;
+                                            if _e888 {
+                                                let _e900 = (_e879 != 7u);
+                                                if _e900 {
+                                                    phi_3777_ = (_e876 + (_e879 * ((3u * _e844) + 1u)));
                                                 } else {
-                                                    phi_3779_ = u32();
+                                                    phi_3777_ = u32();
                                                 }
-                                                let _e903 = phi_3779_;
-                                                phi_3781_ = _e903;
-                                                phi_3782_ = select(true, false, _e899);
+                                                let _e904 = phi_3777_;
+                                                phi_3779_ = _e904;
+                                                phi_3780_ = select(true, false, _e900);
                                             } else {
-                                                phi_3781_ = u32();
-                                                phi_3782_ = true;
+                                                phi_3779_ = u32();
+                                                phi_3780_ = true;
                                             }
-                                            let _e906 = phi_3781_;
-                                            let _e908 = phi_3782_;
-                                            if (_e886 == 0u) {
-                                                phi_3803_ = (_e874 + select(0u, 1u, !(_e887)));
+                                            let _e907 = phi_3779_;
+                                            let _e909 = phi_3780_;
+                                            if (_e887 == 0u) {
+                                                phi_3801_ = (_e875 + select(0u, 1u, !(_e888)));
                                             } else {
-                                                if (_e886 == 7u) {
-                                                    phi_3802_ = 2147483648u;
+                                                if (_e887 == 7u) {
+                                                    phi_3800_ = 2147483648u;
                                                 } else {
-                                                    phi_3802_ = ((2147483648u | (_e886 << bitcast<u32>(28u))) | (select(_e906, _e875, _e908) & 268435455u));
+                                                    phi_3800_ = ((2147483648u | (_e887 << bitcast<u32>(28u))) | (select(_e907, _e876, _e909) & 268435455u));
                                                 }
-                                                let _e921 = phi_3802_;
-                                                phi_3803_ = _e921;
+                                                let _e922 = phi_3800_;
+                                                phi_3801_ = _e922;
                                             }
-                                            let _e923 = phi_3803_;
-                                            phi_3807_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e801, (_e625.member.member.x + _e753), _e806, (_e625.member.member_1.x - _e792)), vec4<f32>(_e802, (_e625.member.member.y + _e757), _e807, (_e625.member.member_1.y - _e796)), vec4<f32>(_e803, (_e625.member.member.z + _e761), _e808, (_e625.member.member_1.z - _e800))), type_57(type_37((_e625.member.member + vec4<f32>(_e731, _e740, _e749, 0f)), (_e625.member.member_1 - vec4<f32>(_e770, _e779, _e788, 0f))), _e898), type_57(type_37((_e625.member.member + vec4<f32>(_e753, _e757, _e761, 0f)), (_e625.member.member_1 - vec4<f32>(_e792, _e796, _e800, 0f))), _e923));
+                                            let _e924 = phi_3801_;
+                                            phi_3805_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e802, (_e626.member.member.x + _e754), _e807, (_e626.member.member_1.x - _e793)), vec4<f32>(_e803, (_e626.member.member.y + _e758), _e808, (_e626.member.member_1.y - _e797)), vec4<f32>(_e804, (_e626.member.member.z + _e762), _e809, (_e626.member.member_1.z - _e801))), type_57(type_37((_e626.member.member + vec4<f32>(_e732, _e741, _e750, 0f)), (_e626.member.member_1 - vec4<f32>(_e771, _e780, _e789, 0f))), _e899), type_57(type_37((_e626.member.member + vec4<f32>(_e754, _e758, _e762, 0f)), (_e626.member.member_1 - vec4<f32>(_e793, _e797, _e801, 0f))), _e924));
                                         }
-                                        let _e928 = phi_3807_;
-                                        let _e940 = ((_e928.member[0].x - _e419) * _e424);
-                                        let _e941 = ((_e928.member[0].y - _e419) * _e424);
-                                        let _e942 = ((_e928.member[0].z - _e420) * _e424);
-                                        let _e943 = ((_e928.member[0].w - _e420) * _e424);
-                                        let _e953 = ((_e928.member[1].x - _e455) * _e460);
-                                        let _e954 = ((_e928.member[1].y - _e455) * _e460);
-                                        let _e955 = ((_e928.member[1].z - _e456) * _e460);
-                                        let _e956 = ((_e928.member[1].w - _e456) * _e460);
-                                        let _e966 = ((_e928.member[2].x - _e491) * _e496);
-                                        let _e967 = ((_e928.member[2].y - _e491) * _e496);
-                                        let _e968 = ((_e928.member[2].z - _e492) * _e496);
-                                        let _e969 = ((_e928.member[2].w - _e492) * _e496);
-                                        let _e971 = select(_e968, _e966, (_e966 < _e968));
-                                        let _e973 = select(_e969, _e967, (_e967 < _e969));
-                                        let _e975 = select(_e968, _e966, (_e966 > _e968));
-                                        let _e977 = select(_e969, _e967, (_e967 > _e969));
-                                        let _e979 = select(_e942, _e940, (_e940 < _e942));
-                                        let _e981 = select(_e943, _e941, (_e941 < _e943));
-                                        let _e983 = select(_e955, _e953, (_e953 < _e955));
-                                        let _e985 = select(_e956, _e954, (_e954 < _e956));
-                                        let _e987 = select(_e983, _e979, (_e979 > _e983));
-                                        let _e989 = select(_e985, _e981, (_e981 > _e985));
-                                        let _e991 = select(_e971, _e987, (_e987 > _e971));
-                                        let _e993 = select(_e973, _e989, (_e989 > _e973));
-                                        let _e995 = select(_e942, _e940, (_e940 > _e942));
-                                        let _e997 = select(_e943, _e941, (_e941 > _e943));
-                                        let _e999 = select(_e955, _e953, (_e953 > _e955));
-                                        let _e1001 = select(_e956, _e954, (_e954 > _e956));
-                                        let _e1003 = select(_e999, _e995, (_e995 < _e999));
-                                        let _e1005 = select(_e1001, _e997, (_e997 < _e1001));
-                                        let _e1010 = -(_e971);
-                                        let _e1011 = -(_e973);
-                                        let _e1018 = (select(_e975, _e1003, (_e1003 < _e975)) + (select(_e1010, _e975, (_e975 > _e1010)) * 0.0000019073523f));
-                                        let _e1019 = (select(_e977, _e1005, (_e1005 < _e977)) + (select(_e1011, _e977, (_e977 > _e1011)) * 0.0000019073523f));
-                                        let _e1021 = select(_e542, _e991, (_e991 > _e542));
-                                        let _e1023 = select(_e542, _e993, (_e993 > _e542));
-                                        let _e1028 = (_e1021 <= select(_e586.member_1, _e1018, (_e1018 < _e586.member_1)));
-                                        let _e1029 = (_e1023 <= select(_e586.member_1, _e1019, (_e1019 < _e586.member_1)));
-                                        let _e1030 = (_e1021 <= _e1023);
-                                        if _e1028 {
+                                        let _e929 = phi_3805_;
+                                        let _e941 = ((_e929.member[0].x - _e420) * _e425);
+                                        let _e942 = ((_e929.member[0].y - _e420) * _e425);
+                                        let _e943 = ((_e929.member[0].z - _e421) * _e425);
+                                        let _e944 = ((_e929.member[0].w - _e421) * _e425);
+                                        let _e954 = ((_e929.member[1].x - _e456) * _e461);
+                                        let _e955 = ((_e929.member[1].y - _e456) * _e461);
+                                        let _e956 = ((_e929.member[1].z - _e457) * _e461);
+                                        let _e957 = ((_e929.member[1].w - _e457) * _e461);
+                                        let _e967 = ((_e929.member[2].x - _e492) * _e497);
+                                        let _e968 = ((_e929.member[2].y - _e492) * _e497);
+                                        let _e969 = ((_e929.member[2].z - _e493) * _e497);
+                                        let _e970 = ((_e929.member[2].w - _e493) * _e497);
+                                        let _e972 = select(_e969, _e967, (_e967 < _e969));
+                                        let _e974 = select(_e970, _e968, (_e968 < _e970));
+                                        let _e976 = select(_e969, _e967, (_e967 > _e969));
+                                        let _e978 = select(_e970, _e968, (_e968 > _e970));
+                                        let _e980 = select(_e943, _e941, (_e941 < _e943));
+                                        let _e982 = select(_e944, _e942, (_e942 < _e944));
+                                        let _e984 = select(_e956, _e954, (_e954 < _e956));
+                                        let _e986 = select(_e957, _e955, (_e955 < _e957));
+                                        let _e988 = select(_e984, _e980, (_e980 > _e984));
+                                        let _e990 = select(_e986, _e982, (_e982 > _e986));
+                                        let _e992 = select(_e972, _e988, (_e988 > _e972));
+                                        let _e994 = select(_e974, _e990, (_e990 > _e974));
+                                        let _e996 = select(_e943, _e941, (_e941 > _e943));
+                                        let _e998 = select(_e944, _e942, (_e942 > _e944));
+                                        let _e1000 = select(_e956, _e954, (_e954 > _e956));
+                                        let _e1002 = select(_e957, _e955, (_e955 > _e957));
+                                        let _e1004 = select(_e1000, _e996, (_e996 < _e1000));
+                                        let _e1006 = select(_e1002, _e998, (_e998 < _e1002));
+                                        let _e1011 = -(_e972);
+                                        let _e1012 = -(_e974);
+                                        let _e1019 = (select(_e976, _e1004, (_e1004 < _e976)) + (select(_e1011, _e976, (_e976 > _e1011)) * 0.0000019073523f));
+                                        let _e1020 = (select(_e978, _e1006, (_e1006 < _e978)) + (select(_e1012, _e978, (_e978 > _e1012)) * 0.0000019073523f));
+                                        let _e1022 = select(_e543, _e992, (_e992 > _e543));
+                                        let _e1024 = select(_e543, _e994, (_e994 > _e543));
+                                        let _e1029 = (_e1022 <= select(_e587.member_1, _e1019, (_e1019 < _e587.member_1)));
+                                        let _e1030 = (_e1024 <= select(_e587.member_1, _e1020, (_e1020 < _e587.member_1)));
+                                        let _e1031 = (_e1022 <= _e1024);
+                                        if _e1029 {
+                                            if _e1030 {
+                                                if _e1031 {
+                                                    phi_4149_ = _e929.member_2;
+                                                } else {
+                                                    phi_4149_ = _e929.member_1;
+                                                }
+                                                let _e1035 = phi_4149_;
+                                                let _e1057 = (_e630 % 128u);
+                                                let _e1058 = (_e1057 < 128u);
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e1057] = _e1035.member_1;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e1057] = _e1035.member.member.x;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e1057] = _e1035.member.member.y;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e1057] = _e1035.member.member.z;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e1057] = _e1035.member.member_1.x;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e1057] = _e1035.member.member_1.y;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e1057] = _e1035.member.member_1.z;
+                                                if _e1058 {
+                                                } else {
+                                                    phi_4801_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e1057] = select(_e1024, _e1022, (_e1022 > _e1024));
+                                                if _e1031 {
+                                                    phi_4226_ = _e929.member_1;
+                                                } else {
+                                                    phi_4226_ = _e929.member_2;
+                                                }
+                                                let _e1071 = phi_4226_;
+                                                phi_4227_ = _e1071;
+                                                phi_4228_ = (_e630 + 1u);
+                                            } else {
+                                                phi_4227_ = type_57();
+                                                phi_4228_ = u32();
+                                            }
+                                            let _e1073 = phi_4227_;
+                                            let _e1075 = phi_4228_;
+                                            phi_4230_ = _e1073;
+                                            phi_4231_ = _e1075;
+                                            phi_4232_ = select(true, false, _e1030);
+                                        } else {
+                                            phi_4230_ = type_57();
+                                            phi_4231_ = u32();
+                                            phi_4232_ = true;
+                                        }
+                                        let _e1078 = phi_4230_;
+                                        let _e1080 = phi_4231_;
+                                        let _e1082 = phi_4232_;
+                                        if _e1082 {
                                             if _e1029 {
-                                                if _e1030 {
-                                                    phi_4151_ = _e928.member_2;
-                                                } else {
-                                                    phi_4151_ = _e928.member_1;
-                                                }
-                                                let _e1034 = phi_4151_;
-                                                let _e1056 = (_e629 % 128u);
-                                                let _e1057 = (_e1056 < 128u);
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e1056] = _e1034.member_1;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e1056] = _e1034.member.member.x;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e1056] = _e1034.member.member.y;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e1056] = _e1034.member.member.z;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e1056] = _e1034.member.member_1.x;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e1056] = _e1034.member.member_1.y;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e1056] = _e1034.member.member_1.z;
-                                                if _e1057 {
-                                                } else {
-                                                    phi_4803_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e1056] = select(_e1023, _e1021, (_e1021 > _e1023));
-                                                if _e1030 {
-                                                    phi_4228_ = _e928.member_1;
-                                                } else {
-                                                    phi_4228_ = _e928.member_2;
-                                                }
-                                                let _e1070 = phi_4228_;
-                                                phi_4229_ = _e1070;
-                                                phi_4230_ = (_e629 + 1u);
+                                                phi_4241_ = _e929.member_1;
                                             } else {
-                                                phi_4229_ = type_57();
-                                                phi_4230_ = u32();
+                                                phi_4241_ = _e929.member_2;
                                             }
-                                            let _e1072 = phi_4229_;
-                                            let _e1074 = phi_4230_;
-                                            phi_4232_ = _e1072;
-                                            phi_4233_ = _e1074;
-                                            phi_4234_ = select(true, false, _e1029);
+                                            let _e1086 = phi_4241_;
+                                            phi_4246_ = _e1086;
+                                            phi_4247_ = select(_e1030, true, _e1029);
                                         } else {
-                                            phi_4232_ = type_57();
-                                            phi_4233_ = u32();
-                                            phi_4234_ = true;
+                                            phi_4246_ = _e1078;
+                                            phi_4247_ = _e628;
                                         }
-                                        let _e1077 = phi_4232_;
-                                        let _e1079 = phi_4233_;
-                                        let _e1081 = phi_4234_;
-                                        if _e1081 {
-                                            if _e1028 {
-                                                phi_4243_ = _e928.member_1;
-                                            } else {
-                                                phi_4243_ = _e928.member_2;
-                                            }
-                                            let _e1085 = phi_4243_;
-                                            phi_4248_ = _e1085;
-                                            phi_4249_ = select(_e1029, true, _e1028);
-                                        } else {
-                                            phi_4248_ = _e1077;
-                                            phi_4249_ = _e627;
-                                        }
-                                        let _e1088 = phi_4248_;
-                                        let _e1090 = phi_4249_;
-                                        phi_4807_ = _e584;
-                                        phi_4251_ = _e586;
-                                        phi_4252_ = _e1088;
-                                        phi_4253_ = _e1090;
-                                        phi_4254_ = select(_e1079, _e629, _e1081);
+                                        let _e1089 = phi_4246_;
+                                        let _e1091 = phi_4247_;
+                                        phi_4805_ = _e585;
+                                        phi_4249_ = _e587;
+                                        phi_4250_ = _e1089;
+                                        phi_4251_ = _e1091;
+                                        phi_4252_ = select(_e1080, _e630, _e1082);
                                     }
-                                    let _e2239 = phi_4807_;
-                                    let _e2241 = phi_4251_;
-                                    let _e2243 = phi_4252_;
-                                    let _e2245 = phi_4253_;
-                                    let _e2247 = phi_4254_;
-                                    phi_4806_ = _e2239;
-                                    phi_4255_ = _e2241;
-                                    phi_4256_ = _e2243;
-                                    phi_4257_ = (_e590 - 1u);
-                                    phi_4258_ = _e2245;
-                                    phi_4259_ = _e2247;
+                                    let _e2241 = phi_4805_;
+                                    let _e2243 = phi_4249_;
+                                    let _e2245 = phi_4250_;
+                                    let _e2247 = phi_4251_;
+                                    let _e2249 = phi_4252_;
+                                    phi_4804_ = _e2241;
+                                    phi_4253_ = _e2243;
+                                    phi_4254_ = _e2245;
+                                    phi_4255_ = (_e591 - 1u);
+                                    phi_4256_ = _e2247;
+                                    phi_4257_ = _e2249;
                                 } else {
-                                    phi_4806_ = _e584;
-                                    phi_4255_ = _e586;
-                                    phi_4256_ = _e625;
-                                    phi_4257_ = _e590;
-                                    phi_4258_ = _e627;
-                                    phi_4259_ = _e629;
+                                    phi_4804_ = _e585;
+                                    phi_4253_ = _e587;
+                                    phi_4254_ = _e626;
+                                    phi_4255_ = _e591;
+                                    phi_4256_ = _e628;
+                                    phi_4257_ = _e630;
                                 }
-                                let _e2249 = phi_4806_;
-                                let _e2251 = phi_4255_;
-                                let _e2253 = phi_4256_;
-                                let _e2255 = phi_4257_;
-                                let _e2257 = phi_4258_;
-                                let _e2259 = phi_4259_;
-                                phi_4805_ = _e2249;
-                                phi_4260_ = _e2251;
-                                phi_4261_ = _e2253;
-                                phi_4262_ = _e2255;
-                                phi_4263_ = _e2257;
-                                phi_4264_ = _e2259;
+                                let _e2251 = phi_4804_;
+                                let _e2253 = phi_4253_;
+                                let _e2255 = phi_4254_;
+                                let _e2257 = phi_4255_;
+                                let _e2259 = phi_4256_;
+                                let _e2261 = phi_4257_;
+                                phi_4803_ = _e2251;
+                                phi_4258_ = _e2253;
+                                phi_4259_ = _e2255;
+                                phi_4260_ = _e2257;
+                                phi_4261_ = _e2259;
+                                phi_4262_ = _e2261;
                             } else {
-                                phi_4805_ = _e584;
-                                phi_4260_ = type_42();
-                                phi_4261_ = type_57();
+                                phi_4803_ = _e585;
+                                phi_4258_ = type_42();
+                                phi_4259_ = type_57();
+                                phi_4260_ = u32();
+                                phi_4261_ = bool();
                                 phi_4262_ = u32();
-                                phi_4263_ = bool();
-                                phi_4264_ = u32();
                             }
-                            let _e2261 = phi_4805_;
-                            let _e2263 = phi_4260_;
-                            let _e2265 = phi_4261_;
-                            let _e2267 = phi_4262_;
-                            let _e2269 = phi_4263_;
-                            let _e2271 = phi_4264_;
-                            phi_4804_ = _e2261;
-                            phi_966_ = _e2263;
-                            phi_969_ = _e2265;
-                            phi_971_ = _e2267;
-                            phi_973_ = _e2269;
-                            phi_975_ = _e2271;
-                            phi_4265_ = _e598;
+                            let _e2263 = phi_4803_;
+                            let _e2265 = phi_4258_;
+                            let _e2267 = phi_4259_;
+                            let _e2269 = phi_4260_;
+                            let _e2271 = phi_4261_;
+                            let _e2273 = phi_4262_;
+                            phi_4802_ = _e2263;
+                            phi_967_ = _e2265;
+                            phi_970_ = _e2267;
+                            phi_972_ = _e2269;
+                            phi_974_ = _e2271;
+                            phi_976_ = _e2273;
+                            phi_4263_ = _e599;
                         } else {
-                            phi_4804_ = _e584;
-                            phi_966_ = type_42();
-                            phi_969_ = type_57();
-                            phi_971_ = u32();
-                            phi_973_ = bool();
-                            phi_975_ = u32();
-                            phi_4265_ = false;
+                            phi_4802_ = _e585;
+                            phi_967_ = type_42();
+                            phi_970_ = type_57();
+                            phi_972_ = u32();
+                            phi_974_ = bool();
+                            phi_976_ = u32();
+                            phi_4263_ = false;
                         }
-                        let _e2273 = phi_4804_;
-                        let _e2275 = phi_966_;
-                        let _e2277 = phi_969_;
-                        let _e2279 = phi_971_;
-                        let _e2281 = phi_973_;
-                        let _e2283 = phi_975_;
-                        let _e2285 = phi_4265_;
+                        let _e2275 = phi_4802_;
+                        let _e2277 = phi_967_;
+                        let _e2279 = phi_970_;
+                        let _e2281 = phi_972_;
+                        let _e2283 = phi_974_;
+                        let _e2285 = phi_976_;
+                        let _e2287 = phi_4263_;
                         continue;
                         continuing {
-                            phi_4596_ = _e2273;
-                            phi_965_ = _e2275;
-                            phi_968_ = _e2277;
-                            phi_970_ = _e2279;
-                            phi_972_ = _e2281;
-                            phi_974_ = _e2283;
-                            phi_4803_ = _e2273;
-                            break if !(_e2285);
+                            phi_4594_ = _e2275;
+                            phi_966_ = _e2277;
+                            phi_969_ = _e2279;
+                            phi_971_ = _e2281;
+                            phi_973_ = _e2283;
+                            phi_975_ = _e2285;
+                            phi_4801_ = _e2275;
+                            break if !(_e2287);
                         }
                     }
-                    let _e2288 = phi_4803_;
-                    if _e2288 {
+                    let _e2290 = phi_4801_;
+                    if _e2290 {
                         break;
                     }
-                    let _e2290 = local_10;
-                    if (_e2290.member.member_3 != 4294967295u) {
-                        let _e2295 = (_e366 / 3i);
-                        let _e2302 = bitcast<f32>((bitcast<u32>((_e2295 + 127i)) << bitcast<u32>(23i)));
-                        let _e2310 = (((_e2290.member.member * _e2302) * _e2302) * bitcast<f32>((bitcast<u32>(((_e366 - (2i * _e2295)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2312 = select(340282350000000000000000000000000000000f, _e2310, (_e2310 < 340282350000000000000000000000000000000f));
-                        phi_4317_ = type_25(select(-340282350000000000000000000000000000000f, _e2312, (_e2312 > -340282350000000000000000000000000000000f)), _e2290.member.member_1, _e2290.member.member_2, _e2290.member.member_3);
+                    let _e2292 = local_10;
+                    if (_e2292.member.member_3 != 4294967295u) {
+                        let _e2297 = (_e367 / 3i);
+                        let _e2304 = bitcast<f32>((bitcast<u32>((_e2297 + 127i)) << bitcast<u32>(23i)));
+                        let _e2312 = (((_e2292.member.member * _e2304) * _e2304) * bitcast<f32>((bitcast<u32>(((_e367 - (2i * _e2297)) + 127i)) << bitcast<u32>(23i))));
+                        let _e2314 = select(340282350000000000000000000000000000000f, _e2312, (_e2312 < 340282350000000000000000000000000000000f));
+                        phi_4315_ = type_25(select(-340282350000000000000000000000000000000f, _e2314, (_e2314 > -340282350000000000000000000000000000000f)), _e2292.member.member_1, _e2292.member.member_2, _e2292.member.member_3);
                     } else {
-                        phi_4317_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4315_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2319 = phi_4317_;
-                    if _e243 {
-                    } else {
-                        break;
-                    }
-                    global_8.member[_e149] = _e2319;
-                    if _e164 {
+                    let _e2321 = phi_4315_;
+                    if _e244 {
                     } else {
                         break;
                     }
-                    let _e2323 = select(0u, 1u, (_e310 <= _e320));
-                    if (_e2323 > 0u) {
-                        let _e2325 = (1u < _e117);
-                        if _e2325 {
-                            if (0u < _e117) {
+                    global_8.member[_e150] = _e2321;
+                    if _e165 {
+                    } else {
+                        break;
+                    }
+                    let _e2325 = select(0u, 1u, (_e311 <= _e321));
+                    if (_e2325 > 0u) {
+                        let _e2327 = (1u < _e118);
+                        if _e2327 {
+                            if (0u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e2329 = atomicAdd((&global_9.member[0u]), _e2323);
-                            if ((_e2329 + _e2323) < _e2329) {
-                                if _e2325 {
+                            let _e2331 = atomicAdd((&global_9.member[0u]), _e2325);
+                            if ((_e2331 + _e2325) < _e2331) {
+                                if _e2327 {
                                 } else {
                                     break;
                                 }
-                                let _e2334 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2336 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2337 = select(0u, 1u, (_e2319.member_3 != 4294967295u));
-                    if (_e2337 > 0u) {
-                        let _e2339 = (3u < _e117);
-                        if _e2339 {
-                            if (2u < _e117) {
+                    let _e2339 = select(0u, 1u, (_e2321.member_3 != 4294967295u));
+                    if (_e2339 > 0u) {
+                        let _e2341 = (3u < _e118);
+                        if _e2341 {
+                            if (2u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e2343 = atomicAdd((&global_9.member[2u]), _e2337);
-                            if ((_e2343 + _e2337) < _e2343) {
-                                if _e2339 {
+                            let _e2345 = atomicAdd((&global_9.member[2u]), _e2339);
+                            if ((_e2345 + _e2339) < _e2345) {
+                                if _e2341 {
                                 } else {
                                     break;
                                 }
-                                let _e2348 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2350 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -94,1117 +94,1129 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_184_: u32;
-    var phi_333_: i32;
+    var phi_185_: u32;
     var phi_334_: i32;
-    var phi_344_: bool;
-    var phi_354_: u32;
+    var phi_335_: i32;
+    var phi_345_: bool;
     var phi_355_: u32;
-    var phi_357_: bool;
-    var phi_362_: u32;
-    var phi_394_: i32;
-    var phi_412_: f32;
-    var phi_418_: f32;
-    var phi_429_: f32;
-    var phi_435_: f32;
-    var phi_458_: f32;
-    var phi_469_: f32;
-    var phi_478_: f32;
-    var phi_484_: f32;
-    var phi_495_: f32;
-    var phi_501_: f32;
-    var phi_524_: f32;
-    var phi_535_: f32;
-    var phi_544_: f32;
-    var phi_550_: f32;
-    var phi_561_: f32;
-    var phi_567_: f32;
-    var phi_590_: f32;
-    var phi_601_: f32;
-    var phi_701_: f32;
+    var phi_356_: u32;
+    var phi_358_: bool;
+    var phi_363_: u32;
+    var phi_395_: i32;
+    var phi_413_: f32;
+    var phi_419_: f32;
+    var phi_430_: f32;
+    var phi_436_: f32;
+    var phi_459_: f32;
+    var phi_470_: f32;
+    var phi_479_: f32;
+    var phi_485_: f32;
+    var phi_496_: f32;
+    var phi_502_: f32;
+    var phi_525_: f32;
+    var phi_536_: f32;
+    var phi_545_: f32;
+    var phi_551_: f32;
+    var phi_562_: f32;
+    var phi_568_: f32;
+    var phi_591_: f32;
+    var phi_602_: f32;
     var phi_702_: f32;
-    var phi_2316_: bool;
-    var phi_713_: type_48;
-    var phi_716_: u32;
-    var phi_718_: u32;
-    var phi_720_: bool;
-    var phi_722_: u32;
-    var phi_733_: bool;
-    var phi_765_: u32;
-    var phi_766_: bool;
-    var phi_767_: u32;
-    var phi_1834_: type_47;
-    var phi_2178_: u32;
-    var phi_2206_: u32;
-    var phi_2207_: u32;
-    var phi_2208_: u32;
-    var phi_2210_: u32;
-    var phi_2211_: u32;
-    var phi_2212_: bool;
-    var phi_2221_: u32;
-    var phi_2226_: u32;
-    var phi_2227_: bool;
-    var phi_782_: type_48;
-    var phi_785_: type_7;
-    var phi_786_: type_7;
-    var phi_808_: type_7;
-    var phi_829_: u32;
-    var phi_918_: array<array<f32, 3>, 3>;
-    var phi_1035_: bool;
-    var phi_1064_: bool;
-    var phi_1465_: f32;
-    var phi_1466_: f32;
-    var phi_1467_: f32;
-    var phi_1468_: f32;
-    var phi_1469_: vec3<f32>;
-    var phi_1470_: vec3<f32>;
-    var phi_1471_: vec3<f32>;
-    var phi_1472_: vec3<f32>;
-    var phi_1503_: bool;
-    var phi_1512_: vec3<f32>;
-    var phi_1679_: bool;
-    var phi_1703_: f32;
-    var phi_1704_: f32;
-    var phi_1727_: type_22;
-    var phi_1729_: type_22;
-    var phi_1730_: bool;
-    var phi_1734_: type_22;
-    var phi_1735_: type_22;
-    var phi_1736_: type_22;
-    var phi_1737_: bool;
-    var phi_1741_: type_22;
-    var phi_1742_: bool;
-    var phi_1743_: type_22;
-    var phi_1744_: bool;
-    var phi_1745_: bool;
-    var phi_1746_: type_22;
-    var phi_1747_: bool;
-    var phi_1748_: bool;
-    var phi_1756_: type_22;
-    var phi_1757_: bool;
-    var phi_1761_: type_22;
-    var phi_1772_: type_48;
-    var phi_1773_: type_48;
-    var phi_783_: type_48;
-    var phi_2310_: bool;
-    var local_2: type_48;
-    var phi_2457_: bool;
-    var phi_2229_: type_48;
-    var phi_2230_: u32;
-    var phi_2231_: bool;
-    var phi_2232_: u32;
-    var phi_2456_: bool;
-    var phi_2233_: type_48;
-    var phi_2234_: u32;
-    var phi_2235_: u32;
-    var phi_2236_: bool;
-    var phi_2237_: u32;
-    var phi_2455_: bool;
-    var phi_2238_: type_48;
-    var phi_2239_: u32;
-    var phi_2240_: u32;
-    var phi_2241_: bool;
-    var phi_2242_: u32;
-    var phi_2454_: bool;
+    var phi_703_: f32;
+    var phi_2314_: bool;
     var phi_714_: type_48;
     var phi_717_: u32;
     var phi_719_: u32;
     var phi_721_: bool;
     var phi_723_: u32;
-    var phi_2243_: bool;
+    var phi_734_: bool;
+    var phi_766_: u32;
+    var phi_767_: bool;
+    var phi_768_: u32;
+    var phi_1832_: type_47;
+    var phi_2176_: u32;
+    var phi_2204_: u32;
+    var phi_2205_: u32;
+    var phi_2206_: u32;
+    var phi_2208_: u32;
+    var phi_2209_: u32;
+    var phi_2210_: bool;
+    var phi_2219_: u32;
+    var phi_2224_: u32;
+    var phi_2225_: bool;
+    var phi_783_: type_48;
+    var phi_786_: type_7;
+    var phi_787_: type_7;
+    var phi_809_: type_7;
+    var phi_830_: u32;
+    var phi_919_: array<array<f32, 3>, 3>;
+    var phi_1036_: bool;
+    var phi_1065_: bool;
+    var phi_1466_: f32;
+    var phi_1467_: f32;
+    var phi_1468_: f32;
+    var phi_1469_: f32;
+    var phi_1470_: vec3<f32>;
+    var phi_1471_: vec3<f32>;
+    var phi_1472_: vec3<f32>;
+    var phi_1473_: vec3<f32>;
+    var phi_1504_: bool;
+    var phi_1513_: vec3<f32>;
+    var phi_1678_: f32;
+    var phi_1680_: f32;
+    var phi_1681_: bool;
+    var phi_1701_: f32;
+    var phi_1702_: f32;
+    var phi_1725_: type_22;
+    var phi_1727_: type_22;
+    var phi_1728_: bool;
+    var phi_1732_: type_22;
+    var phi_1733_: type_22;
+    var phi_1734_: type_22;
+    var phi_1735_: bool;
+    var phi_1739_: type_22;
+    var phi_1740_: bool;
+    var phi_1741_: type_22;
+    var phi_1742_: bool;
+    var phi_1743_: bool;
+    var phi_1744_: type_22;
+    var phi_1745_: bool;
+    var phi_1746_: bool;
+    var phi_1754_: type_22;
+    var phi_1755_: bool;
+    var phi_1759_: type_22;
+    var phi_1770_: type_48;
+    var phi_1771_: type_48;
+    var phi_784_: type_48;
+    var phi_2308_: bool;
+    var local_2: type_48;
+    var phi_2455_: bool;
+    var phi_2227_: type_48;
+    var phi_2228_: u32;
+    var phi_2229_: bool;
+    var phi_2230_: u32;
+    var phi_2454_: bool;
+    var phi_2231_: type_48;
+    var phi_2232_: u32;
+    var phi_2233_: u32;
+    var phi_2234_: bool;
+    var phi_2235_: u32;
     var phi_2453_: bool;
+    var phi_2236_: type_48;
+    var phi_2237_: u32;
+    var phi_2238_: u32;
+    var phi_2239_: bool;
+    var phi_2240_: u32;
+    var phi_2452_: bool;
+    var phi_715_: type_48;
+    var phi_718_: u32;
+    var phi_720_: u32;
+    var phi_722_: bool;
+    var phi_724_: u32;
+    var phi_2241_: bool;
+    var phi_2451_: bool;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e69 = arrayLength((&global_1.member));
-            let _e75 = arrayLength((&global_3.member));
-            let _e79 = (_e65.x + (_e65.y * 2097152u));
-            let _e80 = (_e79 < arrayLength((&global_4.member)));
-            if _e80 {
-                if _e80 {
+            let _e66 = global;
+            let _e68 = arrayLength((&global_2.member));
+            let _e70 = arrayLength((&global_1.member));
+            let _e76 = arrayLength((&global_3.member));
+            let _e80 = (_e66.x + (_e66.y * 2097152u));
+            let _e81 = (_e80 < arrayLength((&global_4.member)));
+            if _e81 {
+                if _e81 {
                 } else {
                     break;
                 }
-                let _e84 = global_4.member[_e79].member_2;
-                phi_184_ = _e84;
+                let _e85 = global_4.member[_e80].member_2;
+                phi_185_ = _e85;
             } else {
-                phi_184_ = 4294967295u;
+                phi_185_ = 4294967295u;
             }
-            let _e86 = phi_184_;
-            if _e80 {
-                let _e87 = (_e79 < arrayLength((&global_5.member)));
-                if _e87 {
-                    if _e80 {
+            let _e87 = phi_185_;
+            if _e81 {
+                let _e88 = (_e80 < arrayLength((&global_5.member)));
+                if _e88 {
+                    if _e81 {
                     } else {
                         break;
                     }
-                    let _e92 = global_4.member[_e79].member.member_1;
-                    let _e97 = global_4.member[_e79].member.member_3;
-                    if (_e92 <= _e97) {
-                        let _e99 = (1u < _e75);
-                        if _e99 {
-                            if (0u < _e75) {
+                    let _e93 = global_4.member[_e80].member.member_1;
+                    let _e98 = global_4.member[_e80].member.member_3;
+                    if (_e93 <= _e98) {
+                        let _e100 = (1u < _e76);
+                        if _e100 {
+                            if (0u < _e76) {
                             } else {
                                 break;
                             }
-                            let _e103 = atomicAdd((&global_3.member[0u]), 1u);
-                            if ((_e103 + 1u) < _e103) {
-                                if _e99 {
+                            let _e104 = atomicAdd((&global_3.member[0u]), 1u);
+                            if ((_e104 + 1u) < _e104) {
+                                if _e100 {
                                 } else {
                                     break;
                                 }
-                                let _e108 = atomicAdd((&global_3.member[1u]), 1u);
+                                let _e109 = atomicAdd((&global_3.member[1u]), 1u);
                             }
                         }
-                        if _e80 {
+                        if _e81 {
                         } else {
                             break;
                         }
-                        let _e118 = global_4.member[_e79].member.member_2[0u];
-                        let _e120 = (bitcast<u32>(_e118) & 2147483647u);
-                        let _e126 = global_4.member[_e79].member.member_2[1u];
-                        let _e128 = (bitcast<u32>(_e126) & 2147483647u);
-                        let _e134 = global_4.member[_e79].member.member_2[2u];
-                        let _e136 = (bitcast<u32>(_e134) & 2147483647u);
-                        let _e142 = global_4.member[_e79].member.member[0u];
-                        let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                        let _e150 = global_4.member[_e79].member.member[1u];
-                        let _e152 = (bitcast<u32>(_e150) & 2147483647u);
-                        let _e158 = global_4.member[_e79].member.member[2u];
-                        let _e160 = (bitcast<u32>(_e158) & 2147483647u);
-                        let _e162 = select(_e128, _e120, (_e128 < _e120));
-                        let _e164 = select(_e136, _e162, (_e136 < _e162));
-                        let _e166 = select(_e144, _e164, (_e144 < _e164));
-                        let _e168 = select(_e152, _e166, (_e152 < _e166));
-                        let _e170 = select(_e160, _e168, (_e160 < _e168));
-                        let _e172 = (bitcast<u32>(_e92) & 2147483647u);
-                        let _e181 = (((select(_e172, _e170, (_e172 < _e170)) < 2139095040u) && ((bitcast<u32>(_e97) & 2147483647u) <= 2139095040u)) && (_e164 > 0u));
-                        if _e181 {
-                            let _e184 = (bitcast<u32>(bitcast<f32>(_e164)) & 2147483647u);
-                            if (_e184 >= 8388608u) {
-                                phi_333_ = (bitcast<i32>((_e184 >> bitcast<u32>(23i))) - 127i);
+                        let _e119 = global_4.member[_e80].member.member_2[0u];
+                        let _e121 = (bitcast<u32>(_e119) & 2147483647u);
+                        let _e127 = global_4.member[_e80].member.member_2[1u];
+                        let _e129 = (bitcast<u32>(_e127) & 2147483647u);
+                        let _e135 = global_4.member[_e80].member.member_2[2u];
+                        let _e137 = (bitcast<u32>(_e135) & 2147483647u);
+                        let _e143 = global_4.member[_e80].member.member[0u];
+                        let _e145 = (bitcast<u32>(_e143) & 2147483647u);
+                        let _e151 = global_4.member[_e80].member.member[1u];
+                        let _e153 = (bitcast<u32>(_e151) & 2147483647u);
+                        let _e159 = global_4.member[_e80].member.member[2u];
+                        let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                        let _e163 = select(_e129, _e121, (_e129 < _e121));
+                        let _e165 = select(_e137, _e163, (_e137 < _e163));
+                        let _e167 = select(_e145, _e165, (_e145 < _e165));
+                        let _e169 = select(_e153, _e167, (_e153 < _e167));
+                        let _e171 = select(_e161, _e169, (_e161 < _e169));
+                        let _e173 = (bitcast<u32>(_e93) & 2147483647u);
+                        let _e182 = (((select(_e173, _e171, (_e173 < _e171)) < 2139095040u) && ((bitcast<u32>(_e98) & 2147483647u) <= 2139095040u)) && (_e165 > 0u));
+                        if _e182 {
+                            let _e185 = (bitcast<u32>(bitcast<f32>(_e165)) & 2147483647u);
+                            if (_e185 >= 8388608u) {
+                                phi_334_ = (bitcast<i32>((_e185 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_333_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e184)), 32u, (_e184 == 0u))));
+                                phi_334_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e185)), 32u, (_e185 == 0u))));
                             }
-                            let _e198 = phi_333_;
-                            phi_334_ = _e198;
+                            let _e199 = phi_334_;
+                            phi_335_ = _e199;
                         } else {
-                            phi_334_ = 0i;
+                            phi_335_ = 0i;
                         }
-                        let _e200 = phi_334_;
-                        let _e201 = (_e120 == _e164);
-                        if _e201 {
-                            phi_344_ = true;
+                        let _e201 = phi_335_;
+                        let _e202 = (_e121 == _e165);
+                        if _e202 {
+                            phi_345_ = true;
                         } else {
-                            phi_344_ = (_e128 == _e164);
+                            phi_345_ = (_e129 == _e165);
                         }
-                        let _e204 = phi_344_;
-                        let _e205 = select(1u, 0u, _e201);
-                        if _e204 {
-                            let _e206 = (_e205 + 1u);
-                            phi_354_ = _e206;
-                            phi_355_ = _e206;
-                            phi_357_ = select(true, false, (_e206 == 2u));
+                        let _e205 = phi_345_;
+                        let _e206 = select(1u, 0u, _e202);
+                        if _e205 {
+                            let _e207 = (_e206 + 1u);
+                            phi_355_ = _e207;
+                            phi_356_ = _e207;
+                            phi_358_ = select(true, false, (_e207 == 2u));
                         } else {
-                            phi_354_ = u32();
-                            phi_355_ = 0u;
-                            phi_357_ = true;
+                            phi_355_ = u32();
+                            phi_356_ = 0u;
+                            phi_358_ = true;
                         }
-                        let _e210 = phi_354_;
-                        let _e212 = phi_355_;
-                        let _e214 = phi_357_;
-                        if _e214 {
-                            phi_362_ = (_e212 + 1u);
+                        let _e211 = phi_355_;
+                        let _e213 = phi_356_;
+                        let _e215 = phi_358_;
+                        if _e215 {
+                            phi_363_ = (_e213 + 1u);
                         } else {
-                            phi_362_ = 0u;
+                            phi_363_ = 0u;
                         }
-                        let _e218 = phi_362_;
-                        let _e219 = select(_e210, _e212, _e214);
-                        let _e220 = select(_e205, select(2u, _e205, _e204), _e214);
-                        let _e221 = -(_e200);
-                        if (_e221 < -126i) {
-                            phi_394_ = -126i;
+                        let _e219 = phi_363_;
+                        let _e220 = select(_e211, _e213, _e215);
+                        let _e221 = select(_e206, select(2u, _e206, _e205), _e215);
+                        let _e222 = -(_e201);
+                        if (_e222 < -126i) {
+                            phi_395_ = -126i;
                         } else {
-                            phi_394_ = select(_e221, 127i, (_e221 > 127i));
+                            phi_395_ = select(_e222, 127i, (_e222 > 127i));
                         }
-                        let _e226 = phi_394_;
-                        let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
-                        let _e237 = bitcast<f32>((bitcast<u32>(((_e221 - _e226) + 127i)) << bitcast<u32>(23i)));
-                        let _e242 = global_4.member[_e79].member.member;
-                        let _e243 = (_e219 == 0u);
-                        if _e243 {
-                            phi_412_ = _e242[0];
+                        let _e227 = phi_395_;
+                        let _e232 = bitcast<f32>((bitcast<u32>((_e227 + 127i)) << bitcast<u32>(23i)));
+                        let _e238 = bitcast<f32>((bitcast<u32>(((_e222 - _e227) + 127i)) << bitcast<u32>(23i)));
+                        let _e243 = global_4.member[_e80].member.member;
+                        let _e244 = (_e220 == 0u);
+                        if _e244 {
+                            phi_413_ = _e243[0];
                         } else {
-                            phi_412_ = _e242[1];
+                            phi_413_ = _e243[1];
                         }
-                        let _e247 = phi_412_;
-                        let _e248 = (_e219 == 2u);
-                        if _e248 {
-                            phi_418_ = _e242[2];
+                        let _e248 = phi_413_;
+                        let _e249 = (_e220 == 2u);
+                        if _e249 {
+                            phi_419_ = _e243[2];
                         } else {
-                            phi_418_ = _e247;
+                            phi_419_ = _e248;
                         }
-                        let _e251 = phi_418_;
-                        let _e252 = global_4.member[_e79].member.member_2;
-                        if _e243 {
-                            phi_429_ = _e252[0];
+                        let _e252 = phi_419_;
+                        let _e253 = global_4.member[_e80].member.member_2;
+                        if _e244 {
+                            phi_430_ = _e253[0];
                         } else {
-                            phi_429_ = _e252[1];
+                            phi_430_ = _e253[1];
                         }
-                        let _e256 = phi_429_;
-                        if _e248 {
-                            phi_435_ = _e252[2];
+                        let _e257 = phi_430_;
+                        if _e249 {
+                            phi_436_ = _e253[2];
                         } else {
-                            phi_435_ = _e256;
+                            phi_436_ = _e257;
                         }
-                        let _e259 = phi_435_;
-                        let _e261 = ((_e259 * _e231) * _e237);
-                        let _e265 = (bitcast<f32>((bitcast<u32>(_e261) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e265 {
-                            let _e269 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) * 0.00000011920929f);
-                            phi_458_ = select(0.00000000000011368684f, _e269, (_e269 > 0.00000000000011368684f));
+                        let _e260 = phi_436_;
+                        let _e262 = ((_e260 * _e232) * _e238);
+                        let _e266 = (bitcast<f32>((bitcast<u32>(_e262) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e266 {
+                            let _e270 = (bitcast<f32>((bitcast<u32>(_e252) & 2147483647u)) * 0.00000011920929f);
+                            phi_459_ = select(0.00000000000011368684f, _e270, (_e270 > 0.00000000000011368684f));
                         } else {
-                            phi_458_ = 0f;
+                            phi_459_ = 0f;
                         }
-                        let _e273 = phi_458_;
-                        let _e274 = (_e251 + _e273);
-                        let _e275 = (_e251 - _e273);
-                        let _e276 = select(_e261, 0f, _e265);
-                        if _e265 {
-                            phi_469_ = 38685626000000000000000000f;
+                        let _e274 = phi_459_;
+                        let _e275 = (_e252 + _e274);
+                        let _e276 = (_e252 - _e274);
+                        let _e277 = select(_e262, 0f, _e266);
+                        if _e266 {
+                            phi_470_ = 38685626000000000000000000f;
                         } else {
-                            phi_469_ = (1f / _e261);
+                            phi_470_ = (1f / _e262);
                         }
-                        let _e279 = phi_469_;
-                        let _e280 = (_e218 == 0u);
-                        if _e280 {
-                            phi_478_ = _e242[0];
+                        let _e280 = phi_470_;
+                        let _e281 = (_e219 == 0u);
+                        if _e281 {
+                            phi_479_ = _e243[0];
                         } else {
-                            phi_478_ = _e242[1];
+                            phi_479_ = _e243[1];
                         }
-                        let _e284 = phi_478_;
-                        let _e285 = (_e218 == 2u);
-                        if _e285 {
-                            phi_484_ = _e242[2];
+                        let _e285 = phi_479_;
+                        let _e286 = (_e219 == 2u);
+                        if _e286 {
+                            phi_485_ = _e243[2];
                         } else {
-                            phi_484_ = _e284;
+                            phi_485_ = _e285;
                         }
-                        let _e288 = phi_484_;
-                        if _e280 {
-                            phi_495_ = _e252[0];
+                        let _e289 = phi_485_;
+                        if _e281 {
+                            phi_496_ = _e253[0];
                         } else {
-                            phi_495_ = _e252[1];
+                            phi_496_ = _e253[1];
                         }
-                        let _e292 = phi_495_;
-                        if _e285 {
-                            phi_501_ = _e252[2];
+                        let _e293 = phi_496_;
+                        if _e286 {
+                            phi_502_ = _e253[2];
                         } else {
-                            phi_501_ = _e292;
+                            phi_502_ = _e293;
                         }
-                        let _e295 = phi_501_;
-                        let _e297 = ((_e295 * _e231) * _e237);
-                        let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e301 {
-                            let _e305 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) * 0.00000011920929f);
-                            phi_524_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
+                        let _e296 = phi_502_;
+                        let _e298 = ((_e296 * _e232) * _e238);
+                        let _e302 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e302 {
+                            let _e306 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) * 0.00000011920929f);
+                            phi_525_ = select(0.00000000000011368684f, _e306, (_e306 > 0.00000000000011368684f));
                         } else {
-                            phi_524_ = 0f;
+                            phi_525_ = 0f;
                         }
-                        let _e309 = phi_524_;
-                        let _e310 = (_e288 + _e309);
-                        let _e311 = (_e288 - _e309);
-                        let _e312 = select(_e297, 0f, _e301);
-                        if _e301 {
-                            phi_535_ = 38685626000000000000000000f;
+                        let _e310 = phi_525_;
+                        let _e311 = (_e289 + _e310);
+                        let _e312 = (_e289 - _e310);
+                        let _e313 = select(_e298, 0f, _e302);
+                        if _e302 {
+                            phi_536_ = 38685626000000000000000000f;
                         } else {
-                            phi_535_ = (1f / _e297);
+                            phi_536_ = (1f / _e298);
                         }
-                        let _e315 = phi_535_;
-                        let _e316 = (_e220 == 0u);
-                        if _e316 {
-                            phi_544_ = _e242[0];
+                        let _e316 = phi_536_;
+                        let _e317 = (_e221 == 0u);
+                        if _e317 {
+                            phi_545_ = _e243[0];
                         } else {
-                            phi_544_ = _e242[1];
+                            phi_545_ = _e243[1];
                         }
-                        let _e320 = phi_544_;
-                        let _e321 = (_e220 == 2u);
-                        if _e321 {
-                            phi_550_ = _e242[2];
+                        let _e321 = phi_545_;
+                        let _e322 = (_e221 == 2u);
+                        if _e322 {
+                            phi_551_ = _e243[2];
                         } else {
-                            phi_550_ = _e320;
+                            phi_551_ = _e321;
                         }
-                        let _e324 = phi_550_;
-                        if _e316 {
-                            phi_561_ = _e252[0];
+                        let _e325 = phi_551_;
+                        if _e317 {
+                            phi_562_ = _e253[0];
                         } else {
-                            phi_561_ = _e252[1];
+                            phi_562_ = _e253[1];
                         }
-                        let _e328 = phi_561_;
-                        if _e321 {
-                            phi_567_ = _e252[2];
+                        let _e329 = phi_562_;
+                        if _e322 {
+                            phi_568_ = _e253[2];
                         } else {
-                            phi_567_ = _e328;
+                            phi_568_ = _e329;
                         }
-                        let _e331 = phi_567_;
-                        let _e333 = ((_e331 * _e231) * _e237);
-                        let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e337 {
-                            let _e341 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
-                            phi_590_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
+                        let _e332 = phi_568_;
+                        let _e334 = ((_e332 * _e232) * _e238);
+                        let _e338 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e338 {
+                            let _e342 = (bitcast<f32>((bitcast<u32>(_e325) & 2147483647u)) * 0.00000011920929f);
+                            phi_591_ = select(0.00000000000011368684f, _e342, (_e342 > 0.00000000000011368684f));
                         } else {
-                            phi_590_ = 0f;
+                            phi_591_ = 0f;
                         }
-                        let _e345 = phi_590_;
-                        let _e346 = (_e324 + _e345);
-                        let _e347 = (_e324 - _e345);
-                        let _e348 = select(_e333, 0f, _e337);
-                        if _e337 {
-                            phi_601_ = 38685626000000000000000000f;
+                        let _e346 = phi_591_;
+                        let _e347 = (_e325 + _e346);
+                        let _e348 = (_e325 - _e346);
+                        let _e349 = select(_e334, 0f, _e338);
+                        if _e338 {
+                            phi_602_ = 38685626000000000000000000f;
                         } else {
-                            phi_601_ = (1f / _e333);
+                            phi_602_ = (1f / _e334);
                         }
-                        let _e351 = phi_601_;
-                        let _e354 = bitcast<f32>((bitcast<u32>(_e251) & 2147483647u));
-                        let _e357 = bitcast<f32>((bitcast<u32>(_e288) & 2147483647u));
-                        let _e359 = select(_e357, _e354, (_e354 > _e357));
-                        let _e362 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
-                        if (_e181 && (select(_e362, _e359, (_e359 > _e362)) <= 1099511600000f)) {
-                            let _e367 = (_e200 / 3i);
-                            let _e374 = bitcast<f32>((bitcast<u32>((_e367 + 127i)) << bitcast<u32>(23i)));
-                            let _e381 = bitcast<f32>((bitcast<u32>(((_e200 - (2i * _e367)) + 127i)) << bitcast<u32>(23i)));
-                            let _e382 = (((_e92 * _e374) * _e374) * _e381);
-                            let _e384 = select(340282350000000000000000000000000000000f, _e382, (_e382 < 340282350000000000000000000000000000000f));
-                            let _e389 = (((_e97 * _e374) * _e374) * _e381);
-                            let _e391 = select(340282350000000000000000000000000000000f, _e389, (_e389 < 340282350000000000000000000000000000000f));
-                            phi_701_ = select(-340282350000000000000000000000000000000f, _e391, (_e391 > -340282350000000000000000000000000000000f));
-                            phi_702_ = select(-340282350000000000000000000000000000000f, _e384, (_e384 > -340282350000000000000000000000000000000f));
+                        let _e352 = phi_602_;
+                        let _e355 = bitcast<f32>((bitcast<u32>(_e252) & 2147483647u));
+                        let _e358 = bitcast<f32>((bitcast<u32>(_e289) & 2147483647u));
+                        let _e360 = select(_e358, _e355, (_e355 > _e358));
+                        let _e363 = bitcast<f32>((bitcast<u32>(_e325) & 2147483647u));
+                        if (_e182 && (select(_e363, _e360, (_e360 > _e363)) <= 1099511600000f)) {
+                            let _e368 = (_e201 / 3i);
+                            let _e375 = bitcast<f32>((bitcast<u32>((_e368 + 127i)) << bitcast<u32>(23i)));
+                            let _e382 = bitcast<f32>((bitcast<u32>(((_e201 - (2i * _e368)) + 127i)) << bitcast<u32>(23i)));
+                            let _e383 = (((_e93 * _e375) * _e375) * _e382);
+                            let _e385 = select(340282350000000000000000000000000000000f, _e383, (_e383 < 340282350000000000000000000000000000000f));
+                            let _e390 = (((_e98 * _e375) * _e375) * _e382);
+                            let _e392 = select(340282350000000000000000000000000000000f, _e390, (_e390 < 340282350000000000000000000000000000000f));
+                            phi_702_ = select(-340282350000000000000000000000000000000f, _e392, (_e392 > -340282350000000000000000000000000000000f));
+                            phi_703_ = select(-340282350000000000000000000000000000000f, _e385, (_e385 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_701_ = 0f;
-                            phi_702_ = 1f;
+                            phi_702_ = 0f;
+                            phi_703_ = 1f;
                         }
-                        let _e395 = phi_701_;
-                        let _e397 = phi_702_;
+                        let _e396 = phi_702_;
+                        let _e398 = phi_703_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2316_ = false;
-                        phi_713_ = type_48(_e395, false);
-                        phi_716_ = select(0u, 2147483648u, (_e67 == 0u));
-                        phi_718_ = ((3u * _e67) + 1u);
-                        phi_720_ = (_e397 <= _e395);
-                        phi_722_ = 0u;
+                        phi_2314_ = false;
+                        phi_714_ = type_48(_e396, false);
+                        phi_717_ = select(0u, 2147483648u, (_e68 == 0u));
+                        phi_719_ = ((3u * _e68) + 1u);
+                        phi_721_ = (_e398 <= _e396);
+                        phi_723_ = 0u;
                         loop {
-                            let _e405 = phi_2316_;
-                            let _e407 = phi_713_;
-                            let _e409 = phi_716_;
-                            let _e411 = phi_718_;
-                            let _e413 = phi_720_;
-                            let _e415 = phi_722_;
-                            local_3 = _e407;
-                            if _e413 {
-                                phi_733_ = true;
+                            let _e406 = phi_2314_;
+                            let _e408 = phi_714_;
+                            let _e410 = phi_717_;
+                            let _e412 = phi_719_;
+                            let _e414 = phi_721_;
+                            let _e416 = phi_723_;
+                            local_3 = _e408;
+                            if _e414 {
+                                phi_734_ = true;
                             } else {
-                                phi_733_ = (_e415 > 0u);
+                                phi_734_ = (_e416 > 0u);
                             }
-                            let _e418 = phi_733_;
-                            if _e418 {
-                                let _e419 = (_e411 > 0u);
-                                if _e419 {
-                                    if _e413 {
-                                        phi_765_ = _e409;
-                                        phi_766_ = _e413;
-                                        phi_767_ = _e415;
+                            let _e419 = phi_734_;
+                            if _e419 {
+                                let _e420 = (_e412 > 0u);
+                                if _e420 {
+                                    if _e414 {
+                                        phi_766_ = _e410;
+                                        phi_767_ = _e414;
+                                        phi_768_ = _e416;
                                     } else {
-                                        let _e420 = (_e415 - 1u);
-                                        let _e421 = (_e420 % 128u);
-                                        let _e422 = (_e421 < 128u);
-                                        if _e422 {
+                                        let _e421 = (_e416 - 1u);
+                                        let _e422 = (_e421 % 128u);
+                                        let _e423 = (_e422 < 128u);
+                                        if _e423 {
                                         } else {
-                                            phi_2453_ = true;
+                                            phi_2451_ = true;
                                             break;
                                         }
-                                        let _e424 = local_1[_e421];
-                                        if _e422 {
+                                        let _e425 = local_1[_e422];
+                                        if _e423 {
                                         } else {
-                                            phi_2453_ = true;
+                                            phi_2451_ = true;
                                             break;
                                         }
-                                        let _e426 = local[_e421];
-                                        phi_765_ = _e424;
-                                        phi_766_ = (_e426 <= _e407.member);
-                                        phi_767_ = _e420;
+                                        let _e427 = local[_e422];
+                                        phi_766_ = _e425;
+                                        phi_767_ = (_e427 <= _e408.member);
+                                        phi_768_ = _e421;
                                     }
-                                    let _e430 = phi_765_;
-                                    let _e432 = phi_766_;
-                                    let _e434 = phi_767_;
-                                    if _e432 {
-                                        if ((_e430 & 2147483648u) != 0u) {
-                                            phi_782_ = _e407;
-                                            phi_785_ = type_7(0u, ((_e430 >> bitcast<u32>(28u)) & 7u));
+                                    let _e431 = phi_766_;
+                                    let _e433 = phi_767_;
+                                    let _e435 = phi_768_;
+                                    if _e433 {
+                                        if ((_e431 & 2147483648u) != 0u) {
+                                            phi_783_ = _e408;
+                                            phi_786_ = type_7(0u, ((_e431 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e632 = phi_782_;
-                                                let _e634 = phi_785_;
-                                                local_2 = _e632;
-                                                local_4 = _e632;
-                                                if (_e634.member < _e634.member_1) {
-                                                    phi_786_ = type_7((_e634.member + 1u), _e634.member_1);
-                                                    phi_808_ = type_7(1u, _e634.member);
+                                                let _e633 = phi_783_;
+                                                let _e635 = phi_786_;
+                                                local_2 = _e633;
+                                                local_4 = _e633;
+                                                if (_e635.member < _e635.member_1) {
+                                                    phi_787_ = type_7((_e635.member + 1u), _e635.member_1);
+                                                    phi_809_ = type_7(1u, _e635.member);
                                                 } else {
-                                                    phi_786_ = _e634;
-                                                    phi_808_ = type_7(0u, type_7().member_1);
+                                                    phi_787_ = _e635;
+                                                    phi_809_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e647 = phi_786_;
-                                                let _e649 = phi_808_;
-                                                let _e653 = (bitcast<i32>(_e649.member) != 0i);
-                                                if _e653 {
-                                                    let _e654 = ((_e430 & 268435455u) + _e649.member_1);
-                                                    let _e655 = (_e654 < _e69);
-                                                    if _e655 {
-                                                        if _e655 {
+                                                let _e648 = phi_787_;
+                                                let _e650 = phi_809_;
+                                                let _e654 = (bitcast<i32>(_e650.member) != 0i);
+                                                if _e654 {
+                                                    let _e655 = ((_e431 & 268435455u) + _e650.member_1);
+                                                    let _e656 = (_e655 < _e70);
+                                                    if _e656 {
+                                                        if _e656 {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e659 = global_1.member[_e654].member_1;
-                                                        phi_829_ = _e659;
+                                                        let _e660 = global_1.member[_e655].member_1;
+                                                        phi_830_ = _e660;
                                                     } else {
-                                                        phi_829_ = 4294967295u;
+                                                        phi_830_ = 4294967295u;
                                                     }
-                                                    let _e661 = phi_829_;
-                                                    if (_e654 >= _e69) {
-                                                        phi_918_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e662 = phi_830_;
+                                                    if (_e655 >= _e70) {
+                                                        phi_919_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e655 {
+                                                        if _e656 {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e663 = (_e219 % 3u);
-                                                        let _e664 = (_e218 % 3u);
-                                                        let _e665 = (_e220 % 3u);
-                                                        if (_e663 < 9u) {
-                                                        } else {
-                                                            phi_2310_ = true;
-                                                            break;
-                                                        }
-                                                        let _e671 = global_1.member[_e654].member[_e663];
+                                                        let _e664 = (_e220 % 3u);
+                                                        let _e665 = (_e219 % 3u);
+                                                        let _e666 = (_e221 % 3u);
                                                         if (_e664 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e677 = global_1.member[_e654].member[_e664];
+                                                        let _e672 = global_1.member[_e655].member[_e664];
                                                         if (_e665 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e683 = global_1.member[_e654].member[_e665];
-                                                        let _e685 = (3u + _e663);
-                                                        if (_e685 < 9u) {
+                                                        let _e678 = global_1.member[_e655].member[_e665];
+                                                        if (_e666 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e691 = global_1.member[_e654].member[_e685];
-                                                        let _e692 = (3u + _e664);
-                                                        if (_e692 < 9u) {
+                                                        let _e684 = global_1.member[_e655].member[_e666];
+                                                        let _e686 = (3u + _e664);
+                                                        if (_e686 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e698 = global_1.member[_e654].member[_e692];
-                                                        let _e699 = (3u + _e665);
-                                                        if (_e699 < 9u) {
+                                                        let _e692 = global_1.member[_e655].member[_e686];
+                                                        let _e693 = (3u + _e665);
+                                                        if (_e693 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e705 = global_1.member[_e654].member[_e699];
-                                                        let _e707 = (6u + _e663);
-                                                        if (_e707 < 9u) {
+                                                        let _e699 = global_1.member[_e655].member[_e693];
+                                                        let _e700 = (3u + _e666);
+                                                        if (_e700 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e713 = global_1.member[_e654].member[_e707];
-                                                        let _e714 = (6u + _e664);
-                                                        if (_e714 < 9u) {
+                                                        let _e706 = global_1.member[_e655].member[_e700];
+                                                        let _e708 = (6u + _e664);
+                                                        if (_e708 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e720 = global_1.member[_e654].member[_e714];
-                                                        let _e721 = (6u + _e665);
-                                                        if (_e721 < 9u) {
+                                                        let _e714 = global_1.member[_e655].member[_e708];
+                                                        let _e715 = (6u + _e665);
+                                                        if (_e715 < 9u) {
                                                         } else {
-                                                            phi_2310_ = true;
+                                                            phi_2308_ = true;
                                                             break;
                                                         }
-                                                        let _e727 = global_1.member[_e654].member[_e721];
-                                                        phi_918_ = array<array<f32, 3>, 3>(array<f32, 3>(_e671, _e677, _e683), array<f32, 3>(_e691, _e698, _e705), array<f32, 3>(_e713, _e720, _e727));
+                                                        let _e721 = global_1.member[_e655].member[_e715];
+                                                        let _e722 = (6u + _e666);
+                                                        if (_e722 < 9u) {
+                                                        } else {
+                                                            phi_2308_ = true;
+                                                            break;
+                                                        }
+                                                        let _e728 = global_1.member[_e655].member[_e722];
+                                                        phi_919_ = array<array<f32, 3>, 3>(array<f32, 3>(_e672, _e678, _e684), array<f32, 3>(_e692, _e699, _e706), array<f32, 3>(_e714, _e721, _e728));
                                                     }
-                                                    let _e731 = phi_918_;
-                                                    let _e739 = (_e731[0][2] - _e324);
-                                                    let _e742 = (((_e731[0][0] - _e251) * _e348) - (_e739 * _e276));
-                                                    let _e745 = (((_e731[0][1] - _e288) * _e348) - (_e739 * _e312));
-                                                    let _e752 = (_e731[1][2] - _e324);
-                                                    let _e755 = (((_e731[1][0] - _e251) * _e348) - (_e752 * _e276));
-                                                    let _e758 = (((_e731[1][1] - _e288) * _e348) - (_e752 * _e312));
-                                                    let _e765 = (_e731[2][2] - _e324);
-                                                    let _e768 = (((_e731[2][0] - _e251) * _e348) - (_e765 * _e276));
-                                                    let _e771 = (((_e731[2][1] - _e288) * _e348) - (_e765 * _e312));
-                                                    let _e772 = (_e768 * _e758);
-                                                    let _e773 = (_e771 * _e755);
-                                                    let _e774 = (_e742 * _e771);
-                                                    let _e775 = (_e745 * _e768);
-                                                    let _e776 = (_e755 * _e745);
-                                                    let _e777 = (_e758 * _e742);
-                                                    let _e782 = (((_e772 >= _e773) && (_e774 >= _e775)) && (_e776 >= _e777));
-                                                    if (_e782 || (((_e772 <= _e773) && (_e774 <= _e775)) && (_e776 <= _e777))) {
-                                                        let _e789 = select(-1f, 1f, _e782);
-                                                        let _e791 = ((_e772 - _e773) * _e789);
-                                                        let _e793 = select(0f, _e791, (_e791 > 0f));
-                                                        let _e795 = ((_e774 - _e775) * _e789);
-                                                        let _e797 = select(0f, _e795, (_e795 > 0f));
-                                                        let _e799 = ((_e776 - _e777) * _e789);
-                                                        let _e801 = select(0f, _e799, (_e799 > 0f));
-                                                        let _e803 = ((_e793 + _e797) + _e801);
-                                                        if (_e803 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1746_ = type_22();
-                                                            phi_1747_ = true;
-                                                            phi_1748_ = false;
+                                                    let _e732 = phi_919_;
+                                                    let _e740 = (_e732[0][2] - _e325);
+                                                    let _e743 = (((_e732[0][0] - _e252) * _e349) - (_e740 * _e277));
+                                                    let _e746 = (((_e732[0][1] - _e289) * _e349) - (_e740 * _e313));
+                                                    let _e753 = (_e732[1][2] - _e325);
+                                                    let _e756 = (((_e732[1][0] - _e252) * _e349) - (_e753 * _e277));
+                                                    let _e759 = (((_e732[1][1] - _e289) * _e349) - (_e753 * _e313));
+                                                    let _e766 = (_e732[2][2] - _e325);
+                                                    let _e769 = (((_e732[2][0] - _e252) * _e349) - (_e766 * _e277));
+                                                    let _e772 = (((_e732[2][1] - _e289) * _e349) - (_e766 * _e313));
+                                                    let _e773 = (_e769 * _e759);
+                                                    let _e774 = (_e772 * _e756);
+                                                    let _e775 = (_e743 * _e772);
+                                                    let _e776 = (_e746 * _e769);
+                                                    let _e777 = (_e756 * _e746);
+                                                    let _e778 = (_e759 * _e743);
+                                                    let _e783 = (((_e773 >= _e774) && (_e775 >= _e776)) && (_e777 >= _e778));
+                                                    if (_e783 || (((_e773 <= _e774) && (_e775 <= _e776)) && (_e777 <= _e778))) {
+                                                        let _e790 = select(-1f, 1f, _e783);
+                                                        let _e792 = ((_e773 - _e774) * _e790);
+                                                        let _e794 = select(0f, _e792, (_e792 > 0f));
+                                                        let _e796 = ((_e775 - _e776) * _e790);
+                                                        let _e798 = select(0f, _e796, (_e796 > 0f));
+                                                        let _e800 = ((_e777 - _e778) * _e790);
+                                                        let _e802 = select(0f, _e800, (_e800 > 0f));
+                                                        let _e804 = ((_e794 + _e798) + _e802);
+                                                        if (_e804 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1744_ = type_22();
+                                                            phi_1745_ = true;
+                                                            phi_1746_ = false;
                                                         } else {
-                                                            let _e806 = select(_e755, _e742, (_e742 < _e755));
-                                                            if (select(_e768, _e806, (_e806 < _e768)) > 0f) {
-                                                                phi_1035_ = true;
+                                                            let _e807 = select(_e756, _e743, (_e743 < _e756));
+                                                            if (select(_e769, _e807, (_e807 < _e769)) > 0f) {
+                                                                phi_1036_ = true;
                                                             } else {
-                                                                let _e811 = select(_e755, _e742, (_e742 > _e755));
-                                                                phi_1035_ = (select(_e768, _e811, (_e811 > _e768)) < 0f);
+                                                                let _e812 = select(_e756, _e743, (_e743 > _e756));
+                                                                phi_1036_ = (select(_e769, _e812, (_e812 > _e769)) < 0f);
                                                             }
-                                                            let _e816 = phi_1035_;
-                                                            if _e816 {
-                                                                phi_1743_ = type_22();
-                                                                phi_1744_ = true;
-                                                                phi_1745_ = false;
+                                                            let _e817 = phi_1036_;
+                                                            if _e817 {
+                                                                phi_1741_ = type_22();
+                                                                phi_1742_ = true;
+                                                                phi_1743_ = false;
                                                             } else {
-                                                                let _e818 = select(_e758, _e745, (_e745 < _e758));
-                                                                if (select(_e771, _e818, (_e818 < _e771)) > 0f) {
-                                                                    phi_1064_ = true;
+                                                                let _e819 = select(_e759, _e746, (_e746 < _e759));
+                                                                if (select(_e772, _e819, (_e819 < _e772)) > 0f) {
+                                                                    phi_1065_ = true;
                                                                 } else {
-                                                                    let _e823 = select(_e758, _e745, (_e745 > _e758));
-                                                                    phi_1064_ = (select(_e771, _e823, (_e823 > _e771)) < 0f);
+                                                                    let _e824 = select(_e759, _e746, (_e746 > _e759));
+                                                                    phi_1065_ = (select(_e772, _e824, (_e824 > _e772)) < 0f);
                                                                 }
-                                                                let _e828 = phi_1064_;
-                                                                if _e828 {
-                                                                    phi_1741_ = type_22();
-                                                                    phi_1742_ = false;
+                                                                let _e829 = phi_1065_;
+                                                                if _e829 {
+                                                                    phi_1739_ = type_22();
+                                                                    phi_1740_ = false;
                                                                 } else {
-                                                                    let _e830 = select(_e731[1][0], _e731[0][0], (_e731[0][0] < _e731[1][0]));
-                                                                    let _e834 = select(_e731[1][0], _e731[0][0], (_e731[0][0] > _e731[1][0]));
-                                                                    let _e838 = select(_e731[1][1], _e731[0][1], (_e731[0][1] < _e731[1][1]));
-                                                                    let _e842 = select(_e731[1][1], _e731[0][1], (_e731[0][1] > _e731[1][1]));
-                                                                    let _e846 = select(_e731[1][2], _e731[0][2], (_e731[0][2] < _e731[1][2]));
-                                                                    let _e850 = select(_e731[1][2], _e731[0][2], (_e731[0][2] > _e731[1][2]));
-                                                                    let _e855 = ((select(_e731[2][0], _e830, (_e830 < _e731[2][0])) - _e274) * _e279);
-                                                                    let _e856 = ((select(_e731[2][0], _e834, (_e834 > _e731[2][0])) - _e275) * _e279);
-                                                                    let _e859 = ((select(_e731[2][1], _e838, (_e838 < _e731[2][1])) - _e310) * _e315);
-                                                                    let _e860 = ((select(_e731[2][1], _e842, (_e842 > _e731[2][1])) - _e311) * _e315);
-                                                                    let _e863 = ((select(_e731[2][2], _e846, (_e846 < _e731[2][2])) - _e346) * _e351);
-                                                                    let _e864 = ((select(_e731[2][2], _e850, (_e850 > _e731[2][2])) - _e347) * _e351);
-                                                                    let _e866 = select(_e864, _e863, (_e863 < _e864));
-                                                                    let _e868 = select(_e864, _e863, (_e863 > _e864));
-                                                                    let _e870 = select(_e856, _e855, (_e855 < _e856));
-                                                                    let _e872 = select(_e860, _e859, (_e859 < _e860));
-                                                                    let _e874 = select(_e872, _e870, (_e870 > _e872));
-                                                                    let _e876 = select(_e866, _e874, (_e874 > _e866));
-                                                                    let _e878 = select(_e856, _e855, (_e855 > _e856));
-                                                                    let _e880 = select(_e860, _e859, (_e859 > _e860));
-                                                                    let _e882 = select(_e880, _e878, (_e878 < _e880));
-                                                                    let _e884 = select(_e868, _e882, (_e882 < _e868));
-                                                                    let _e885 = -(_e866);
-                                                                    let _e891 = select(_e397, _e876, (_e876 > _e397));
-                                                                    if (_e891 > (_e884 + (select(_e885, _e868, (_e868 > _e885)) * 0.0000019073523f))) {
-                                                                        phi_1736_ = type_22();
-                                                                        phi_1737_ = true;
+                                                                    let _e831 = select(_e732[1][0], _e732[0][0], (_e732[0][0] < _e732[1][0]));
+                                                                    let _e835 = select(_e732[1][0], _e732[0][0], (_e732[0][0] > _e732[1][0]));
+                                                                    let _e839 = select(_e732[1][1], _e732[0][1], (_e732[0][1] < _e732[1][1]));
+                                                                    let _e843 = select(_e732[1][1], _e732[0][1], (_e732[0][1] > _e732[1][1]));
+                                                                    let _e847 = select(_e732[1][2], _e732[0][2], (_e732[0][2] < _e732[1][2]));
+                                                                    let _e851 = select(_e732[1][2], _e732[0][2], (_e732[0][2] > _e732[1][2]));
+                                                                    let _e856 = ((select(_e732[2][0], _e831, (_e831 < _e732[2][0])) - _e275) * _e280);
+                                                                    let _e857 = ((select(_e732[2][0], _e835, (_e835 > _e732[2][0])) - _e276) * _e280);
+                                                                    let _e860 = ((select(_e732[2][1], _e839, (_e839 < _e732[2][1])) - _e311) * _e316);
+                                                                    let _e861 = ((select(_e732[2][1], _e843, (_e843 > _e732[2][1])) - _e312) * _e316);
+                                                                    let _e864 = ((select(_e732[2][2], _e847, (_e847 < _e732[2][2])) - _e347) * _e352);
+                                                                    let _e865 = ((select(_e732[2][2], _e851, (_e851 > _e732[2][2])) - _e348) * _e352);
+                                                                    let _e867 = select(_e865, _e864, (_e864 < _e865));
+                                                                    let _e869 = select(_e865, _e864, (_e864 > _e865));
+                                                                    let _e871 = select(_e857, _e856, (_e856 < _e857));
+                                                                    let _e873 = select(_e861, _e860, (_e860 < _e861));
+                                                                    let _e875 = select(_e873, _e871, (_e871 > _e873));
+                                                                    let _e877 = select(_e867, _e875, (_e875 > _e867));
+                                                                    let _e879 = select(_e857, _e856, (_e856 > _e857));
+                                                                    let _e881 = select(_e861, _e860, (_e860 > _e861));
+                                                                    let _e883 = select(_e881, _e879, (_e879 < _e881));
+                                                                    let _e885 = select(_e869, _e883, (_e883 < _e869));
+                                                                    let _e886 = -(_e867);
+                                                                    let _e892 = select(_e398, _e877, (_e877 > _e398));
+                                                                    if (_e892 > (_e885 + (select(_e886, _e869, (_e869 > _e886)) * 0.0000019073523f))) {
+                                                                        phi_1734_ = type_22();
+                                                                        phi_1735_ = true;
                                                                     } else {
-                                                                        let _e893 = (_e891 > _e632.member);
-                                                                        if _e893 {
-                                                                            phi_1735_ = type_22();
+                                                                        let _e894 = (_e892 > _e633.member);
+                                                                        if _e894 {
+                                                                            phi_1733_ = type_22();
                                                                         } else {
-                                                                            let _e894 = vec3<f32>(_e731[0][0], _e731[0][1], _e731[0][2]);
-                                                                            let _e895 = vec3<f32>(_e731[1][0], _e731[1][1], _e731[1][2]);
-                                                                            let _e896 = vec3<f32>(_e731[2][0], _e731[2][1], _e731[2][2]);
-                                                                            let _e897 = (_e731[1][0] - _e731[0][0]);
-                                                                            let _e898 = (_e731[1][1] - _e731[0][1]);
-                                                                            let _e899 = (_e731[1][2] - _e731[0][2]);
-                                                                            let _e900 = vec3<f32>(_e897, _e898, _e899);
-                                                                            let _e901 = (_e731[2][0] - _e731[1][0]);
-                                                                            let _e902 = (_e731[2][1] - _e731[1][1]);
-                                                                            let _e903 = (_e731[2][2] - _e731[1][2]);
-                                                                            let _e904 = vec3<f32>(_e901, _e902, _e903);
-                                                                            let _e905 = (_e731[0][0] - _e731[2][0]);
-                                                                            let _e906 = (_e731[0][1] - _e731[2][1]);
-                                                                            let _e907 = (_e731[0][2] - _e731[2][2]);
-                                                                            let _e908 = vec3<f32>(_e905, _e906, _e907);
-                                                                            let _e911 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
-                                                                            let _e914 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
-                                                                            let _e916 = select(_e914, _e911, (_e911 > _e914));
-                                                                            let _e919 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
-                                                                            let _e921 = select(_e919, _e916, (_e916 > _e919));
-                                                                            let _e924 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
-                                                                            let _e927 = bitcast<f32>((bitcast<u32>(_e902) & 2147483647u));
-                                                                            let _e929 = select(_e927, _e924, (_e924 > _e927));
-                                                                            let _e932 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
-                                                                            let _e934 = select(_e932, _e929, (_e929 > _e932));
-                                                                            let _e937 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
-                                                                            let _e940 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
-                                                                            let _e942 = select(_e940, _e937, (_e937 > _e940));
-                                                                            let _e945 = bitcast<f32>((bitcast<u32>(_e907) & 2147483647u));
-                                                                            let _e947 = select(_e945, _e942, (_e942 > _e945));
-                                                                            let _e949 = select(_e934, _e921, (_e921 > _e934));
-                                                                            let _e951 = select(_e947, _e949, (_e949 > _e947));
-                                                                            if (_e921 == _e951) {
-                                                                                phi_1465_ = _e758;
-                                                                                phi_1466_ = _e755;
-                                                                                phi_1467_ = _e745;
-                                                                                phi_1468_ = _e742;
-                                                                                phi_1469_ = _e894;
-                                                                                phi_1470_ = _e908;
-                                                                                phi_1471_ = _e904;
-                                                                                phi_1472_ = _e900;
+                                                                            let _e895 = vec3<f32>(_e732[0][0], _e732[0][1], _e732[0][2]);
+                                                                            let _e896 = vec3<f32>(_e732[1][0], _e732[1][1], _e732[1][2]);
+                                                                            let _e897 = vec3<f32>(_e732[2][0], _e732[2][1], _e732[2][2]);
+                                                                            let _e898 = (_e732[1][0] - _e732[0][0]);
+                                                                            let _e899 = (_e732[1][1] - _e732[0][1]);
+                                                                            let _e900 = (_e732[1][2] - _e732[0][2]);
+                                                                            let _e901 = vec3<f32>(_e898, _e899, _e900);
+                                                                            let _e902 = (_e732[2][0] - _e732[1][0]);
+                                                                            let _e903 = (_e732[2][1] - _e732[1][1]);
+                                                                            let _e904 = (_e732[2][2] - _e732[1][2]);
+                                                                            let _e905 = vec3<f32>(_e902, _e903, _e904);
+                                                                            let _e906 = (_e732[0][0] - _e732[2][0]);
+                                                                            let _e907 = (_e732[0][1] - _e732[2][1]);
+                                                                            let _e908 = (_e732[0][2] - _e732[2][2]);
+                                                                            let _e909 = vec3<f32>(_e906, _e907, _e908);
+                                                                            let _e912 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
+                                                                            let _e915 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
+                                                                            let _e917 = select(_e915, _e912, (_e912 > _e915));
+                                                                            let _e920 = bitcast<f32>((bitcast<u32>(_e900) & 2147483647u));
+                                                                            let _e922 = select(_e920, _e917, (_e917 > _e920));
+                                                                            let _e925 = bitcast<f32>((bitcast<u32>(_e902) & 2147483647u));
+                                                                            let _e928 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
+                                                                            let _e930 = select(_e928, _e925, (_e925 > _e928));
+                                                                            let _e933 = bitcast<f32>((bitcast<u32>(_e904) & 2147483647u));
+                                                                            let _e935 = select(_e933, _e930, (_e930 > _e933));
+                                                                            let _e938 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
+                                                                            let _e941 = bitcast<f32>((bitcast<u32>(_e907) & 2147483647u));
+                                                                            let _e943 = select(_e941, _e938, (_e938 > _e941));
+                                                                            let _e946 = bitcast<f32>((bitcast<u32>(_e908) & 2147483647u));
+                                                                            let _e948 = select(_e946, _e943, (_e943 > _e946));
+                                                                            let _e950 = select(_e935, _e922, (_e922 > _e935));
+                                                                            let _e952 = select(_e948, _e950, (_e950 > _e948));
+                                                                            if (_e922 == _e952) {
+                                                                                phi_1466_ = _e759;
+                                                                                phi_1467_ = _e756;
+                                                                                phi_1468_ = _e746;
+                                                                                phi_1469_ = _e743;
+                                                                                phi_1470_ = _e895;
+                                                                                phi_1471_ = _e909;
+                                                                                phi_1472_ = _e905;
+                                                                                phi_1473_ = _e901;
                                                                             } else {
-                                                                                let _e953 = (_e934 == _e951);
-                                                                                let _e958 = vec3(_e953);
-                                                                                phi_1465_ = select(_e745, _e771, _e953);
-                                                                                phi_1466_ = select(_e742, _e768, _e953);
-                                                                                phi_1467_ = select(_e771, _e758, _e953);
-                                                                                phi_1468_ = select(_e768, _e755, _e953);
-                                                                                phi_1469_ = select(_e896, _e895, _e958);
-                                                                                phi_1470_ = select(_e904, _e900, _e958);
-                                                                                phi_1471_ = select(_e900, _e908, _e958);
-                                                                                phi_1472_ = select(_e908, _e904, _e958);
+                                                                                let _e954 = (_e935 == _e952);
+                                                                                let _e959 = vec3(_e954);
+                                                                                phi_1466_ = select(_e746, _e772, _e954);
+                                                                                phi_1467_ = select(_e743, _e769, _e954);
+                                                                                phi_1468_ = select(_e772, _e759, _e954);
+                                                                                phi_1469_ = select(_e769, _e756, _e954);
+                                                                                phi_1470_ = select(_e897, _e896, _e959);
+                                                                                phi_1471_ = select(_e905, _e901, _e959);
+                                                                                phi_1472_ = select(_e901, _e909, _e959);
+                                                                                phi_1473_ = select(_e909, _e905, _e959);
                                                                             }
-                                                                            let _e964 = phi_1465_;
-                                                                            let _e966 = phi_1466_;
-                                                                            let _e968 = phi_1467_;
-                                                                            let _e970 = phi_1468_;
-                                                                            let _e972 = phi_1469_;
-                                                                            let _e974 = phi_1470_;
-                                                                            let _e976 = phi_1471_;
-                                                                            let _e978 = phi_1472_;
-                                                                            let _e985 = ((_e976.y * _e974.z) - (_e974.y * _e976.z));
-                                                                            let _e990 = ((_e976.z * _e974.x) - (_e974.z * _e976.x));
-                                                                            let _e993 = ((_e976.x * _e974.y) - (_e974.x * _e976.y));
-                                                                            if (_e793 >= _e797) {
-                                                                                phi_1503_ = select(true, false, (_e793 >= _e801));
+                                                                            let _e965 = phi_1466_;
+                                                                            let _e967 = phi_1467_;
+                                                                            let _e969 = phi_1468_;
+                                                                            let _e971 = phi_1469_;
+                                                                            let _e973 = phi_1470_;
+                                                                            let _e975 = phi_1471_;
+                                                                            let _e977 = phi_1472_;
+                                                                            let _e979 = phi_1473_;
+                                                                            let _e986 = ((_e977.y * _e975.z) - (_e975.y * _e977.z));
+                                                                            let _e991 = ((_e977.z * _e975.x) - (_e975.z * _e977.x));
+                                                                            let _e994 = ((_e977.x * _e975.y) - (_e975.x * _e977.y));
+                                                                            if (_e794 >= _e798) {
+                                                                                phi_1504_ = select(true, false, (_e794 >= _e802));
                                                                             } else {
-                                                                                phi_1503_ = true;
+                                                                                phi_1504_ = true;
                                                                             }
-                                                                            let _e998 = phi_1503_;
-                                                                            if _e998 {
-                                                                                phi_1512_ = select(_e896, _e895, vec3((_e797 >= _e801)));
+                                                                            let _e999 = phi_1504_;
+                                                                            if _e999 {
+                                                                                phi_1513_ = select(_e897, _e896, vec3((_e798 >= _e802)));
                                                                             } else {
-                                                                                phi_1512_ = _e894;
+                                                                                phi_1513_ = _e895;
                                                                             }
-                                                                            let _e1003 = phi_1512_;
-                                                                            let _e1008 = (((_e985 * _e276) + (_e990 * _e312)) + (_e993 * _e348));
-                                                                            let _e1019 = (((_e985 * (_e1003.x - _e251)) + (_e990 * (_e1003.y - _e288))) + (_e993 * (_e1003.z - _e324)));
-                                                                            let _e1021 = (_e966 - _e970);
-                                                                            let _e1022 = (_e964 - _e968);
-                                                                            let _e1030 = (-(((_e970 * _e1021) + (_e968 * _e1022))) / ((_e1021 * _e1021) + (_e1022 * _e1022)));
+                                                                            let _e1004 = phi_1513_;
+                                                                            let _e1015 = (((_e986 * (_e1004.x - _e252)) + (_e991 * (_e1004.y - _e289))) + (_e994 * (_e1004.z - _e325)));
+                                                                            let _e1020 = (((_e986 * _e277) + (_e991 * _e313)) + (_e994 * _e349));
+                                                                            let _e1021 = (_e967 - _e971);
+                                                                            let _e1022 = (_e965 - _e969);
+                                                                            let _e1030 = (-(((_e971 * _e1021) + (_e969 * _e1022))) / ((_e1021 * _e1021) + (_e1022 * _e1022)));
                                                                             let _e1032 = select(1f, _e1030, (_e1030 < 1f));
                                                                             let _e1034 = select(0f, _e1032, (_e1032 > 0f));
-                                                                            let _e1047 = ((_e972.x + (_e978.x * _e1034)) - _e251);
-                                                                            let _e1048 = ((_e972.y + (_e978.y * _e1034)) - _e288);
-                                                                            let _e1049 = ((_e972.z + (_e978.z * _e1034)) - _e324);
-                                                                            let _e1050 = (_e1049 / _e348);
+                                                                            let _e1047 = ((_e973.x + (_e979.x * _e1034)) - _e252);
+                                                                            let _e1048 = ((_e973.y + (_e979.y * _e1034)) - _e289);
+                                                                            let _e1049 = ((_e973.z + (_e979.z * _e1034)) - _e325);
+                                                                            let _e1050 = (_e1049 / _e349);
                                                                             let _e1062 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
                                                                             let _e1065 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
                                                                             let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
                                                                             let _e1070 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
                                                                             let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
-                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                            let _e1081 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                            let _e1081 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
                                                                             let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
-                                                                            let _e1086 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e985 * _e1047) + (_e990 * _e1048)) + (_e993 * _e1049)) - _e1019)) & 2147483647u)) <= ((0.0000009536743f * select(_e951, _e1072, (_e1072 > _e951))) * select(_e1086, _e1083, (_e1083 > _e1086)))) {
-                                                                                let _e1096 = bitcast<f32>((bitcast<u32>(_e976.x) & 2147483647u));
-                                                                                let _e1099 = bitcast<f32>((bitcast<u32>(_e976.y) & 2147483647u));
+                                                                            let _e1086 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e986 * _e1047) + (_e991 * _e1048)) + (_e994 * _e1049)) - _e1015)) & 2147483647u)) <= ((0.0000009536743f * select(_e952, _e1072, (_e1072 > _e952))) * select(_e1086, _e1083, (_e1083 > _e1086)))) {
+                                                                                let _e1096 = bitcast<f32>((bitcast<u32>(_e977.x) & 2147483647u));
+                                                                                let _e1099 = bitcast<f32>((bitcast<u32>(_e977.y) & 2147483647u));
                                                                                 let _e1101 = select(_e1099, _e1096, (_e1096 > _e1099));
-                                                                                let _e1104 = bitcast<f32>((bitcast<u32>(_e976.z) & 2147483647u));
-                                                                                let _e1110 = bitcast<f32>((bitcast<u32>(_e974.x) & 2147483647u));
-                                                                                let _e1113 = bitcast<f32>((bitcast<u32>(_e974.y) & 2147483647u));
+                                                                                let _e1104 = bitcast<f32>((bitcast<u32>(_e977.z) & 2147483647u));
+                                                                                let _e1110 = bitcast<f32>((bitcast<u32>(_e975.x) & 2147483647u));
+                                                                                let _e1113 = bitcast<f32>((bitcast<u32>(_e975.y) & 2147483647u));
                                                                                 let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
-                                                                                let _e1118 = bitcast<f32>((bitcast<u32>(_e974.z) & 2147483647u));
-                                                                                phi_1679_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1008) & 2147483647u)) > ((0.0000038146973f * select(_e1104, _e1101, (_e1101 > _e1104))) * select(_e1118, _e1115, (_e1115 > _e1118)))));
-                                                                            } else {
-                                                                                phi_1679_ = true;
-                                                                            }
-                                                                            let _e1125 = phi_1679_;
-                                                                            if _e1125 {
-                                                                                let _e1136 = ((((_e985 * (_e1047 - (_e276 * _e1050))) + (_e990 * (_e1048 - (_e312 * _e1050)))) + (_e993 * (_e1049 - _e1049))) / _e1008);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u)) <= _e951) {
-                                                                                    phi_1703_ = (_e1050 + _e1136);
+                                                                                let _e1118 = bitcast<f32>((bitcast<u32>(_e975.z) & 2147483647u));
+                                                                                let _e1122 = (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) > ((0.0000038146973f * select(_e1104, _e1101, (_e1101 > _e1104))) * select(_e1118, _e1115, (_e1115 > _e1118))));
+                                                                                if _e1122 {
+                                                                                    phi_1678_ = (_e1015 / _e1020);
                                                                                 } else {
-                                                                                    phi_1703_ = _e1050;
+                                                                                    phi_1678_ = f32();
                                                                                 }
-                                                                                let _e1143 = phi_1703_;
-                                                                                phi_1704_ = _e1143;
+                                                                                let _e1125 = phi_1678_;
+                                                                                phi_1680_ = _e1125;
+                                                                                phi_1681_ = select(true, false, _e1122);
                                                                             } else {
-                                                                                phi_1704_ = (_e1019 / _e1008);
+                                                                                phi_1680_ = f32();
+                                                                                phi_1681_ = true;
                                                                             }
-                                                                            let _e1145 = phi_1704_;
-                                                                            let _e1147 = select(_e884, _e1145, (_e1145 < _e884));
-                                                                            let _e1149 = select(_e876, _e1147, (_e1147 > _e876));
-                                                                            if (_e1149 >= _e397) {
-                                                                                let _e1151 = (_e1149 <= _e632.member);
-                                                                                if _e1151 {
-                                                                                    let _e1152 = (1f / _e803);
-                                                                                    phi_1727_ = type_22(_e1149, (_e797 * _e1152), (_e801 * _e1152), _e661);
+                                                                            let _e1128 = phi_1680_;
+                                                                            let _e1130 = phi_1681_;
+                                                                            if _e1130 {
+                                                                                let _e1138 = (((_e986 * (_e1047 - (_e277 * _e1050))) + (_e991 * (_e1048 - (_e313 * _e1050)))) / _e1020);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u)) <= _e952) {
+                                                                                    phi_1701_ = (_e1050 + _e1138);
                                                                                 } else {
-                                                                                    phi_1727_ = type_22();
+                                                                                    phi_1701_ = _e1050;
                                                                                 }
-                                                                                let _e1157 = phi_1727_;
-                                                                                phi_1729_ = _e1157;
-                                                                                phi_1730_ = select(true, false, _e1151);
+                                                                                let _e1145 = phi_1701_;
+                                                                                phi_1702_ = _e1145;
                                                                             } else {
-                                                                                phi_1729_ = type_22();
-                                                                                phi_1730_ = true;
+                                                                                phi_1702_ = _e1128;
                                                                             }
-                                                                            let _e1160 = phi_1729_;
-                                                                            let _e1162 = phi_1730_;
-                                                                            if _e1162 {
-                                                                                phi_1734_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1147 = phi_1702_;
+                                                                            let _e1149 = select(_e885, _e1147, (_e1147 < _e885));
+                                                                            let _e1151 = select(_e877, _e1149, (_e1149 > _e877));
+                                                                            if (_e1151 >= _e398) {
+                                                                                let _e1153 = (_e1151 <= _e633.member);
+                                                                                if _e1153 {
+                                                                                    let _e1154 = (1f / _e804);
+                                                                                    phi_1725_ = type_22(_e1151, (_e798 * _e1154), (_e802 * _e1154), _e662);
+                                                                                } else {
+                                                                                    phi_1725_ = type_22();
+                                                                                }
+                                                                                let _e1159 = phi_1725_;
+                                                                                phi_1727_ = _e1159;
+                                                                                phi_1728_ = select(true, false, _e1153);
                                                                             } else {
-                                                                                phi_1734_ = _e1160;
+                                                                                phi_1727_ = type_22();
+                                                                                phi_1728_ = true;
                                                                             }
-                                                                            let _e1164 = phi_1734_;
-                                                                            phi_1735_ = _e1164;
+                                                                            let _e1162 = phi_1727_;
+                                                                            let _e1164 = phi_1728_;
+                                                                            if _e1164 {
+                                                                                phi_1732_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_1732_ = _e1162;
+                                                                            }
+                                                                            let _e1166 = phi_1732_;
+                                                                            phi_1733_ = _e1166;
                                                                         }
-                                                                        let _e1166 = phi_1735_;
-                                                                        phi_1736_ = _e1166;
-                                                                        phi_1737_ = _e893;
+                                                                        let _e1168 = phi_1733_;
+                                                                        phi_1734_ = _e1168;
+                                                                        phi_1735_ = _e894;
                                                                     }
-                                                                    let _e1168 = phi_1736_;
-                                                                    let _e1170 = phi_1737_;
-                                                                    phi_1741_ = _e1168;
-                                                                    phi_1742_ = _e1170;
+                                                                    let _e1170 = phi_1734_;
+                                                                    let _e1172 = phi_1735_;
+                                                                    phi_1739_ = _e1170;
+                                                                    phi_1740_ = _e1172;
                                                                 }
-                                                                let _e1172 = phi_1741_;
-                                                                let _e1174 = phi_1742_;
-                                                                phi_1743_ = _e1172;
-                                                                phi_1744_ = _e828;
-                                                                phi_1745_ = _e1174;
+                                                                let _e1174 = phi_1739_;
+                                                                let _e1176 = phi_1740_;
+                                                                phi_1741_ = _e1174;
+                                                                phi_1742_ = _e829;
+                                                                phi_1743_ = _e1176;
                                                             }
-                                                            let _e1176 = phi_1743_;
-                                                            let _e1178 = phi_1744_;
-                                                            let _e1180 = phi_1745_;
-                                                            phi_1746_ = _e1176;
-                                                            phi_1747_ = _e1178;
-                                                            phi_1748_ = _e1180;
+                                                            let _e1178 = phi_1741_;
+                                                            let _e1180 = phi_1742_;
+                                                            let _e1182 = phi_1743_;
+                                                            phi_1744_ = _e1178;
+                                                            phi_1745_ = _e1180;
+                                                            phi_1746_ = _e1182;
                                                         }
-                                                        let _e1182 = phi_1746_;
-                                                        let _e1184 = phi_1747_;
-                                                        let _e1186 = phi_1748_;
-                                                        phi_1756_ = _e1182;
-                                                        phi_1757_ = select(_e1186, true, _e1184);
+                                                        let _e1184 = phi_1744_;
+                                                        let _e1186 = phi_1745_;
+                                                        let _e1188 = phi_1746_;
+                                                        phi_1754_ = _e1184;
+                                                        phi_1755_ = select(_e1188, true, _e1186);
                                                     } else {
-                                                        phi_1756_ = type_22();
-                                                        phi_1757_ = true;
+                                                        phi_1754_ = type_22();
+                                                        phi_1755_ = true;
                                                     }
-                                                    let _e1189 = phi_1756_;
-                                                    let _e1191 = phi_1757_;
-                                                    if _e1191 {
-                                                        phi_1761_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1191 = phi_1754_;
+                                                    let _e1193 = phi_1755_;
+                                                    if _e1193 {
+                                                        phi_1759_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1761_ = _e1189;
+                                                        phi_1759_ = _e1191;
                                                     }
-                                                    let _e1193 = phi_1761_;
-                                                    if (_e1193.member_3 != 4294967295u) {
-                                                        if (_e661 != _e86) {
-                                                            phi_1772_ = type_48(_e632.member, true);
+                                                    let _e1195 = phi_1759_;
+                                                    if (_e1195.member_3 != 4294967295u) {
+                                                        if (_e662 != _e87) {
+                                                            phi_1770_ = type_48(_e633.member, true);
                                                         } else {
-                                                            phi_1772_ = _e632;
+                                                            phi_1770_ = _e633;
                                                         }
-                                                        let _e1201 = phi_1772_;
-                                                        phi_1773_ = _e1201;
+                                                        let _e1203 = phi_1770_;
+                                                        phi_1771_ = _e1203;
                                                     } else {
-                                                        phi_1773_ = _e632;
+                                                        phi_1771_ = _e633;
                                                     }
-                                                    let _e1203 = phi_1773_;
-                                                    phi_783_ = _e1203;
+                                                    let _e1205 = phi_1771_;
+                                                    phi_784_ = _e1205;
                                                 } else {
-                                                    phi_783_ = type_48();
+                                                    phi_784_ = type_48();
                                                 }
-                                                let _e1205 = phi_783_;
+                                                let _e1207 = phi_784_;
                                                 continue;
                                                 continuing {
-                                                    phi_782_ = _e1205;
-                                                    phi_785_ = _e647;
-                                                    phi_2310_ = _e405;
-                                                    break if !(_e653);
+                                                    phi_783_ = _e1207;
+                                                    phi_786_ = _e648;
+                                                    phi_2308_ = _e406;
+                                                    break if !(_e654);
                                                 }
                                             }
-                                            let _e1208 = phi_2310_;
-                                            phi_2453_ = _e1208;
-                                            if _e1208 {
+                                            let _e1210 = phi_2308_;
+                                            phi_2451_ = _e1210;
+                                            if _e1210 {
                                                 break;
                                             }
-                                            let _e1210 = local_2;
-                                            phi_2457_ = _e1208;
-                                            let _e1393 = local_4;
-                                            phi_2229_ = _e1393;
-                                            phi_2230_ = _e430;
-                                            phi_2231_ = false;
-                                            phi_2232_ = select(_e434, 0u, _e1210.member_1);
+                                            let _e1212 = local_2;
+                                            phi_2455_ = _e1210;
+                                            let _e1397 = local_4;
+                                            phi_2227_ = _e1397;
+                                            phi_2228_ = _e431;
+                                            phi_2229_ = false;
+                                            phi_2230_ = select(_e435, 0u, _e1212.member_1);
                                         } else {
-                                            if (_e430 >= _e67) {
-                                                phi_1834_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e431 >= _e68) {
+                                                phi_1832_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e430 < _e67) {
+                                                if (_e431 < _e68) {
                                                 } else {
-                                                    phi_2453_ = true;
+                                                    phi_2451_ = true;
                                                     break;
                                                 }
-                                                let _e444 = (_e219 % 3u);
-                                                if (_e444 < 3u) {
+                                                let _e445 = (_e220 % 3u);
+                                                if (_e445 < 3u) {
                                                 } else {
-                                                    phi_2453_ = true;
+                                                    phi_2451_ = true;
                                                     break;
                                                 }
-                                                let _e450 = global_2.member[_e430].member[_e444];
-                                                let _e456 = (_e218 % 3u);
-                                                if (_e456 < 3u) {
+                                                let _e451 = global_2.member[_e431].member[_e445];
+                                                let _e457 = (_e219 % 3u);
+                                                if (_e457 < 3u) {
                                                 } else {
-                                                    phi_2453_ = true;
+                                                    phi_2451_ = true;
                                                     break;
                                                 }
-                                                let _e462 = global_2.member[_e430].member[_e456];
-                                                let _e468 = (_e220 % 3u);
-                                                if (_e468 < 3u) {
+                                                let _e463 = global_2.member[_e431].member[_e457];
+                                                let _e469 = (_e221 % 3u);
+                                                if (_e469 < 3u) {
                                                 } else {
-                                                    phi_2453_ = true;
+                                                    phi_2451_ = true;
                                                     break;
                                                 }
-                                                let _e474 = global_2.member[_e430].member[_e468];
-                                                let _e484 = global_2.member[_e430].member_1;
-                                                let _e488 = global_2.member[_e430].member_2;
-                                                phi_1834_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3]), vec4<f32>(_e474[0], _e474[1], _e474[2], _e474[3])), _e484, _e488);
+                                                let _e475 = global_2.member[_e431].member[_e469];
+                                                let _e485 = global_2.member[_e431].member_1;
+                                                let _e489 = global_2.member[_e431].member_2;
+                                                phi_1832_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e451[0], _e451[1], _e451[2], _e451[3]), vec4<f32>(_e463[0], _e463[1], _e463[2], _e463[3]), vec4<f32>(_e475[0], _e475[1], _e475[2], _e475[3])), _e485, _e489);
                                             }
-                                            let _e491 = phi_1834_;
-                                            let _e503 = ((_e491.member[0].x - _e274) * _e279);
-                                            let _e504 = ((_e491.member[0].y - _e274) * _e279);
-                                            let _e505 = ((_e491.member[0].z - _e275) * _e279);
-                                            let _e506 = ((_e491.member[0].w - _e275) * _e279);
-                                            let _e516 = ((_e491.member[1].x - _e310) * _e315);
-                                            let _e517 = ((_e491.member[1].y - _e310) * _e315);
-                                            let _e518 = ((_e491.member[1].z - _e311) * _e315);
-                                            let _e519 = ((_e491.member[1].w - _e311) * _e315);
-                                            let _e529 = ((_e491.member[2].x - _e346) * _e351);
-                                            let _e530 = ((_e491.member[2].y - _e346) * _e351);
-                                            let _e531 = ((_e491.member[2].z - _e347) * _e351);
-                                            let _e532 = ((_e491.member[2].w - _e347) * _e351);
-                                            let _e534 = select(_e531, _e529, (_e529 < _e531));
-                                            let _e536 = select(_e532, _e530, (_e530 < _e532));
-                                            let _e538 = select(_e531, _e529, (_e529 > _e531));
-                                            let _e540 = select(_e532, _e530, (_e530 > _e532));
-                                            let _e542 = select(_e505, _e503, (_e503 < _e505));
-                                            let _e544 = select(_e506, _e504, (_e504 < _e506));
-                                            let _e546 = select(_e518, _e516, (_e516 < _e518));
-                                            let _e548 = select(_e519, _e517, (_e517 < _e519));
-                                            let _e550 = select(_e546, _e542, (_e542 > _e546));
-                                            let _e552 = select(_e548, _e544, (_e544 > _e548));
-                                            let _e554 = select(_e534, _e550, (_e550 > _e534));
-                                            let _e556 = select(_e536, _e552, (_e552 > _e536));
-                                            let _e558 = select(_e505, _e503, (_e503 > _e505));
-                                            let _e560 = select(_e506, _e504, (_e504 > _e506));
-                                            let _e562 = select(_e518, _e516, (_e516 > _e518));
-                                            let _e564 = select(_e519, _e517, (_e517 > _e519));
-                                            let _e566 = select(_e562, _e558, (_e558 < _e562));
-                                            let _e568 = select(_e564, _e560, (_e560 < _e564));
-                                            let _e573 = -(_e534);
-                                            let _e574 = -(_e536);
-                                            let _e581 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e573, _e538, (_e538 > _e573)) * 0.0000019073523f));
-                                            let _e582 = (select(_e540, _e568, (_e568 < _e540)) + (select(_e574, _e540, (_e540 > _e574)) * 0.0000019073523f));
-                                            let _e584 = select(_e397, _e554, (_e554 > _e397));
-                                            let _e586 = select(_e397, _e556, (_e556 > _e397));
-                                            let _e591 = (_e584 <= select(_e407.member, _e581, (_e581 < _e407.member)));
-                                            let _e592 = (_e586 <= select(_e407.member, _e582, (_e582 < _e407.member)));
-                                            let _e593 = (_e584 <= _e586);
-                                            if _e591 {
+                                            let _e492 = phi_1832_;
+                                            let _e504 = ((_e492.member[0].x - _e275) * _e280);
+                                            let _e505 = ((_e492.member[0].y - _e275) * _e280);
+                                            let _e506 = ((_e492.member[0].z - _e276) * _e280);
+                                            let _e507 = ((_e492.member[0].w - _e276) * _e280);
+                                            let _e517 = ((_e492.member[1].x - _e311) * _e316);
+                                            let _e518 = ((_e492.member[1].y - _e311) * _e316);
+                                            let _e519 = ((_e492.member[1].z - _e312) * _e316);
+                                            let _e520 = ((_e492.member[1].w - _e312) * _e316);
+                                            let _e530 = ((_e492.member[2].x - _e347) * _e352);
+                                            let _e531 = ((_e492.member[2].y - _e347) * _e352);
+                                            let _e532 = ((_e492.member[2].z - _e348) * _e352);
+                                            let _e533 = ((_e492.member[2].w - _e348) * _e352);
+                                            let _e535 = select(_e532, _e530, (_e530 < _e532));
+                                            let _e537 = select(_e533, _e531, (_e531 < _e533));
+                                            let _e539 = select(_e532, _e530, (_e530 > _e532));
+                                            let _e541 = select(_e533, _e531, (_e531 > _e533));
+                                            let _e543 = select(_e506, _e504, (_e504 < _e506));
+                                            let _e545 = select(_e507, _e505, (_e505 < _e507));
+                                            let _e547 = select(_e519, _e517, (_e517 < _e519));
+                                            let _e549 = select(_e520, _e518, (_e518 < _e520));
+                                            let _e551 = select(_e547, _e543, (_e543 > _e547));
+                                            let _e553 = select(_e549, _e545, (_e545 > _e549));
+                                            let _e555 = select(_e535, _e551, (_e551 > _e535));
+                                            let _e557 = select(_e537, _e553, (_e553 > _e537));
+                                            let _e559 = select(_e506, _e504, (_e504 > _e506));
+                                            let _e561 = select(_e507, _e505, (_e505 > _e507));
+                                            let _e563 = select(_e519, _e517, (_e517 > _e519));
+                                            let _e565 = select(_e520, _e518, (_e518 > _e520));
+                                            let _e567 = select(_e563, _e559, (_e559 < _e563));
+                                            let _e569 = select(_e565, _e561, (_e561 < _e565));
+                                            let _e574 = -(_e535);
+                                            let _e575 = -(_e537);
+                                            let _e582 = (select(_e539, _e567, (_e567 < _e539)) + (select(_e574, _e539, (_e539 > _e574)) * 0.0000019073523f));
+                                            let _e583 = (select(_e541, _e569, (_e569 < _e541)) + (select(_e575, _e541, (_e541 > _e575)) * 0.0000019073523f));
+                                            let _e585 = select(_e398, _e555, (_e555 > _e398));
+                                            let _e587 = select(_e398, _e557, (_e557 > _e398));
+                                            let _e592 = (_e585 <= select(_e408.member, _e582, (_e582 < _e408.member)));
+                                            let _e593 = (_e587 <= select(_e408.member, _e583, (_e583 < _e408.member)));
+                                            let _e594 = (_e585 <= _e587);
+                                            if _e592 {
+                                                if _e593 {
+                                                    if _e594 {
+                                                        phi_2176_ = _e492.member_2;
+                                                    } else {
+                                                        phi_2176_ = _e492.member_1;
+                                                    }
+                                                    let _e598 = phi_2176_;
+                                                    let _e601 = (_e435 % 128u);
+                                                    let _e602 = (_e601 < 128u);
+                                                    if _e602 {
+                                                    } else {
+                                                        phi_2451_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e601] = _e598;
+                                                    if _e602 {
+                                                    } else {
+                                                        phi_2451_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e601] = select(_e587, _e585, (_e585 > _e587));
+                                                    if _e594 {
+                                                        phi_2204_ = _e492.member_1;
+                                                    } else {
+                                                        phi_2204_ = _e492.member_2;
+                                                    }
+                                                    let _e609 = phi_2204_;
+                                                    phi_2205_ = _e609;
+                                                    phi_2206_ = (_e435 + 1u);
+                                                } else {
+                                                    phi_2205_ = u32();
+                                                    phi_2206_ = u32();
+                                                }
+                                                let _e611 = phi_2205_;
+                                                let _e613 = phi_2206_;
+                                                phi_2208_ = _e611;
+                                                phi_2209_ = _e613;
+                                                phi_2210_ = select(true, false, _e593);
+                                            } else {
+                                                phi_2208_ = u32();
+                                                phi_2209_ = u32();
+                                                phi_2210_ = true;
+                                            }
+                                            let _e616 = phi_2208_;
+                                            let _e618 = phi_2209_;
+                                            let _e620 = phi_2210_;
+                                            if _e620 {
                                                 if _e592 {
-                                                    if _e593 {
-                                                        phi_2178_ = _e491.member_2;
-                                                    } else {
-                                                        phi_2178_ = _e491.member_1;
-                                                    }
-                                                    let _e597 = phi_2178_;
-                                                    let _e600 = (_e434 % 128u);
-                                                    let _e601 = (_e600 < 128u);
-                                                    if _e601 {
-                                                    } else {
-                                                        phi_2453_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e600] = _e597;
-                                                    if _e601 {
-                                                    } else {
-                                                        phi_2453_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e600] = select(_e586, _e584, (_e584 > _e586));
-                                                    if _e593 {
-                                                        phi_2206_ = _e491.member_1;
-                                                    } else {
-                                                        phi_2206_ = _e491.member_2;
-                                                    }
-                                                    let _e608 = phi_2206_;
-                                                    phi_2207_ = _e608;
-                                                    phi_2208_ = (_e434 + 1u);
+                                                    phi_2219_ = _e492.member_1;
                                                 } else {
-                                                    phi_2207_ = u32();
-                                                    phi_2208_ = u32();
+                                                    phi_2219_ = _e492.member_2;
                                                 }
-                                                let _e610 = phi_2207_;
-                                                let _e612 = phi_2208_;
-                                                phi_2210_ = _e610;
-                                                phi_2211_ = _e612;
-                                                phi_2212_ = select(true, false, _e592);
+                                                let _e624 = phi_2219_;
+                                                phi_2224_ = _e624;
+                                                phi_2225_ = select(_e593, true, _e592);
                                             } else {
-                                                phi_2210_ = u32();
-                                                phi_2211_ = u32();
-                                                phi_2212_ = true;
+                                                phi_2224_ = _e616;
+                                                phi_2225_ = _e433;
                                             }
-                                            let _e615 = phi_2210_;
-                                            let _e617 = phi_2211_;
-                                            let _e619 = phi_2212_;
-                                            if _e619 {
-                                                if _e591 {
-                                                    phi_2221_ = _e491.member_1;
-                                                } else {
-                                                    phi_2221_ = _e491.member_2;
-                                                }
-                                                let _e623 = phi_2221_;
-                                                phi_2226_ = _e623;
-                                                phi_2227_ = select(_e592, true, _e591);
-                                            } else {
-                                                phi_2226_ = _e615;
-                                                phi_2227_ = _e432;
-                                            }
-                                            let _e626 = phi_2226_;
-                                            let _e628 = phi_2227_;
-                                            phi_2457_ = _e405;
-                                            phi_2229_ = _e407;
-                                            phi_2230_ = _e626;
-                                            phi_2231_ = _e628;
-                                            phi_2232_ = select(_e617, _e434, _e619);
+                                            let _e627 = phi_2224_;
+                                            let _e629 = phi_2225_;
+                                            phi_2455_ = _e406;
+                                            phi_2227_ = _e408;
+                                            phi_2228_ = _e627;
+                                            phi_2229_ = _e629;
+                                            phi_2230_ = select(_e618, _e435, _e620);
                                         }
-                                        let _e1214 = phi_2457_;
-                                        let _e1216 = phi_2229_;
-                                        let _e1218 = phi_2230_;
-                                        let _e1220 = phi_2231_;
-                                        let _e1222 = phi_2232_;
-                                        phi_2456_ = _e1214;
-                                        phi_2233_ = _e1216;
-                                        phi_2234_ = _e1218;
-                                        phi_2235_ = (_e411 - 1u);
-                                        phi_2236_ = _e1220;
-                                        phi_2237_ = _e1222;
+                                        let _e1216 = phi_2455_;
+                                        let _e1218 = phi_2227_;
+                                        let _e1220 = phi_2228_;
+                                        let _e1222 = phi_2229_;
+                                        let _e1224 = phi_2230_;
+                                        phi_2454_ = _e1216;
+                                        phi_2231_ = _e1218;
+                                        phi_2232_ = _e1220;
+                                        phi_2233_ = (_e412 - 1u);
+                                        phi_2234_ = _e1222;
+                                        phi_2235_ = _e1224;
                                     } else {
-                                        phi_2456_ = _e405;
-                                        phi_2233_ = _e407;
-                                        phi_2234_ = _e430;
-                                        phi_2235_ = _e411;
-                                        phi_2236_ = _e432;
-                                        phi_2237_ = _e434;
+                                        phi_2454_ = _e406;
+                                        phi_2231_ = _e408;
+                                        phi_2232_ = _e431;
+                                        phi_2233_ = _e412;
+                                        phi_2234_ = _e433;
+                                        phi_2235_ = _e435;
                                     }
-                                    let _e1224 = phi_2456_;
-                                    let _e1226 = phi_2233_;
-                                    let _e1228 = phi_2234_;
-                                    let _e1230 = phi_2235_;
-                                    let _e1232 = phi_2236_;
-                                    let _e1234 = phi_2237_;
-                                    phi_2455_ = _e1224;
-                                    phi_2238_ = _e1226;
-                                    phi_2239_ = _e1228;
-                                    phi_2240_ = _e1230;
-                                    phi_2241_ = _e1232;
-                                    phi_2242_ = _e1234;
+                                    let _e1226 = phi_2454_;
+                                    let _e1228 = phi_2231_;
+                                    let _e1230 = phi_2232_;
+                                    let _e1232 = phi_2233_;
+                                    let _e1234 = phi_2234_;
+                                    let _e1236 = phi_2235_;
+                                    phi_2453_ = _e1226;
+                                    phi_2236_ = _e1228;
+                                    phi_2237_ = _e1230;
+                                    phi_2238_ = _e1232;
+                                    phi_2239_ = _e1234;
+                                    phi_2240_ = _e1236;
                                 } else {
-                                    phi_2455_ = _e405;
-                                    phi_2238_ = type_48();
-                                    phi_2239_ = u32();
+                                    phi_2453_ = _e406;
+                                    phi_2236_ = type_48();
+                                    phi_2237_ = u32();
+                                    phi_2238_ = u32();
+                                    phi_2239_ = bool();
                                     phi_2240_ = u32();
-                                    phi_2241_ = bool();
-                                    phi_2242_ = u32();
                                 }
-                                let _e1236 = phi_2455_;
-                                let _e1238 = phi_2238_;
-                                let _e1240 = phi_2239_;
-                                let _e1242 = phi_2240_;
-                                let _e1244 = phi_2241_;
-                                let _e1246 = phi_2242_;
-                                phi_2454_ = _e1236;
-                                phi_714_ = _e1238;
-                                phi_717_ = _e1240;
-                                phi_719_ = _e1242;
-                                phi_721_ = _e1244;
-                                phi_723_ = _e1246;
-                                phi_2243_ = _e419;
+                                let _e1238 = phi_2453_;
+                                let _e1240 = phi_2236_;
+                                let _e1242 = phi_2237_;
+                                let _e1244 = phi_2238_;
+                                let _e1246 = phi_2239_;
+                                let _e1248 = phi_2240_;
+                                phi_2452_ = _e1238;
+                                phi_715_ = _e1240;
+                                phi_718_ = _e1242;
+                                phi_720_ = _e1244;
+                                phi_722_ = _e1246;
+                                phi_724_ = _e1248;
+                                phi_2241_ = _e420;
                             } else {
-                                phi_2454_ = _e405;
-                                phi_714_ = type_48();
-                                phi_717_ = u32();
-                                phi_719_ = u32();
-                                phi_721_ = bool();
-                                phi_723_ = u32();
-                                phi_2243_ = false;
+                                phi_2452_ = _e406;
+                                phi_715_ = type_48();
+                                phi_718_ = u32();
+                                phi_720_ = u32();
+                                phi_722_ = bool();
+                                phi_724_ = u32();
+                                phi_2241_ = false;
                             }
-                            let _e1248 = phi_2454_;
-                            let _e1250 = phi_714_;
-                            let _e1252 = phi_717_;
-                            let _e1254 = phi_719_;
-                            let _e1256 = phi_721_;
-                            let _e1258 = phi_723_;
-                            let _e1260 = phi_2243_;
+                            let _e1250 = phi_2452_;
+                            let _e1252 = phi_715_;
+                            let _e1254 = phi_718_;
+                            let _e1256 = phi_720_;
+                            let _e1258 = phi_722_;
+                            let _e1260 = phi_724_;
+                            let _e1262 = phi_2241_;
                             continue;
                             continuing {
-                                phi_2316_ = _e1248;
-                                phi_713_ = _e1250;
-                                phi_716_ = _e1252;
-                                phi_718_ = _e1254;
-                                phi_720_ = _e1256;
-                                phi_722_ = _e1258;
-                                phi_2453_ = _e1248;
-                                break if !(_e1260);
+                                phi_2314_ = _e1250;
+                                phi_714_ = _e1252;
+                                phi_717_ = _e1254;
+                                phi_719_ = _e1256;
+                                phi_721_ = _e1258;
+                                phi_723_ = _e1260;
+                                phi_2451_ = _e1250;
+                                break if !(_e1262);
                             }
                         }
-                        let _e1263 = phi_2453_;
-                        if _e1263 {
+                        let _e1265 = phi_2451_;
+                        if _e1265 {
                             break;
                         }
-                        let _e1265 = local_3;
-                        if _e1265.member_1 {
+                        let _e1267 = local_3;
+                        if _e1267.member_1 {
                         } else {
-                            if _e87 {
+                            if _e88 {
                             } else {
                                 break;
                             }
-                            let _e1269 = global_5.member[_e79];
-                            if _e80 {
+                            let _e1271 = global_5.member[_e80];
+                            if _e81 {
                             } else {
                                 break;
                             }
-                            let _e1273 = global_4.member[_e79].member_1;
-                            if _e87 {
+                            let _e1275 = global_4.member[_e80].member_1;
+                            if _e88 {
                             } else {
                                 break;
                             }
-                            global_5.member[_e79] = type_24(_e1269.member, _e1269.member_1, _e1269.member_2, array<f32, 3>((_e1269.member_3[0] + (_e1273[0] * _e1269.member_1[0])), (_e1269.member_3[1] + (_e1273[1] * _e1269.member_1[1])), (_e1269.member_3[2] + (_e1273[2] * _e1269.member_1[2]))), _e1269.member_4);
+                            global_5.member[_e80] = type_24(_e1271.member, _e1271.member_1, _e1271.member_2, array<f32, 3>((_e1271.member_3[0] + (_e1275[0] * _e1271.member_1[0])), (_e1271.member_3[1] + (_e1275[1] * _e1271.member_1[1])), (_e1271.member_3[2] + (_e1275[2] * _e1271.member_1[2]))), _e1271.member_4);
                         }
                     }
                 }

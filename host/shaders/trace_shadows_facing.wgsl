@@ -121,1273 +121,1285 @@ var<storage, read_write> global_9: type_32;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_223_: u32;
-    var phi_267_: i32;
-    var phi_291_: type_47;
-    var phi_441_: i32;
+    var phi_224_: u32;
+    var phi_268_: i32;
+    var phi_292_: type_47;
     var phi_442_: i32;
-    var phi_452_: bool;
-    var phi_462_: u32;
+    var phi_443_: i32;
+    var phi_453_: bool;
     var phi_463_: u32;
-    var phi_465_: bool;
-    var phi_470_: u32;
-    var phi_502_: i32;
-    var phi_520_: f32;
-    var phi_526_: f32;
-    var phi_537_: f32;
-    var phi_543_: f32;
-    var phi_566_: f32;
-    var phi_577_: f32;
-    var phi_586_: f32;
-    var phi_592_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_632_: f32;
-    var phi_643_: f32;
-    var phi_652_: f32;
-    var phi_658_: f32;
-    var phi_669_: f32;
-    var phi_675_: f32;
-    var phi_698_: f32;
-    var phi_709_: f32;
-    var phi_809_: f32;
+    var phi_464_: u32;
+    var phi_466_: bool;
+    var phi_471_: u32;
+    var phi_503_: i32;
+    var phi_521_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
+    var phi_544_: f32;
+    var phi_567_: f32;
+    var phi_578_: f32;
+    var phi_587_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
+    var phi_610_: f32;
+    var phi_633_: f32;
+    var phi_644_: f32;
+    var phi_653_: f32;
+    var phi_659_: f32;
+    var phi_670_: f32;
+    var phi_676_: f32;
+    var phi_699_: f32;
+    var phi_710_: f32;
     var phi_810_: f32;
-    var phi_2747_: bool;
-    var phi_821_: type_55;
-    var phi_824_: u32;
-    var phi_826_: u32;
-    var phi_828_: bool;
-    var phi_830_: u32;
-    var phi_841_: bool;
-    var phi_873_: u32;
-    var phi_874_: bool;
-    var phi_875_: u32;
-    var phi_2265_: type_54;
-    var phi_2609_: u32;
-    var phi_2637_: u32;
-    var phi_2638_: u32;
-    var phi_2639_: u32;
-    var phi_2641_: u32;
-    var phi_2642_: u32;
-    var phi_2643_: bool;
-    var phi_2652_: u32;
-    var phi_2657_: u32;
-    var phi_2658_: bool;
-    var phi_890_: type_55;
-    var phi_893_: type_8;
-    var phi_894_: type_8;
-    var phi_916_: type_8;
-    var phi_937_: u32;
-    var phi_1026_: array<array<f32, 3>, 3>;
-    var phi_1143_: bool;
-    var phi_1172_: bool;
-    var phi_1573_: f32;
-    var phi_1574_: f32;
-    var phi_1575_: f32;
-    var phi_1576_: f32;
-    var phi_1577_: vec3<f32>;
-    var phi_1578_: vec3<f32>;
-    var phi_1579_: vec3<f32>;
-    var phi_1580_: vec3<f32>;
-    var phi_1611_: bool;
-    var phi_1620_: vec3<f32>;
-    var phi_1787_: bool;
-    var phi_1811_: f32;
-    var phi_1812_: f32;
-    var phi_1835_: type_28;
-    var phi_1837_: type_28;
-    var phi_1838_: bool;
-    var phi_1842_: type_28;
-    var phi_1843_: type_28;
-    var phi_1844_: type_28;
-    var phi_1845_: bool;
-    var phi_1849_: type_28;
-    var phi_1850_: bool;
-    var phi_1851_: type_28;
-    var phi_1852_: bool;
-    var phi_1853_: bool;
-    var phi_1854_: type_28;
-    var phi_1855_: bool;
-    var phi_1856_: bool;
-    var phi_1864_: type_28;
-    var phi_1865_: bool;
-    var phi_1869_: type_28;
-    var phi_1892_: u32;
-    var phi_1906_: i32;
-    var phi_1926_: vec3<f32>;
-    var phi_1927_: vec3<f32>;
-    var phi_1943_: vec3<f32>;
-    var phi_1944_: vec3<f32>;
-    var phi_1960_: vec3<f32>;
-    var phi_1961_: vec3<f32>;
-    var phi_1997_: vec3<f32>;
-    var phi_2179_: f32;
-    var phi_2197_: bool;
-    var phi_2198_: bool;
-    var phi_2203_: type_55;
-    var phi_2204_: type_55;
-    var phi_891_: type_55;
-    var phi_2741_: bool;
-    var local_2: type_55;
-    var phi_2911_: bool;
-    var phi_2660_: type_55;
-    var phi_2661_: u32;
-    var phi_2662_: bool;
-    var phi_2663_: u32;
-    var phi_2910_: bool;
-    var phi_2664_: type_55;
-    var phi_2665_: u32;
-    var phi_2666_: u32;
-    var phi_2667_: bool;
-    var phi_2668_: u32;
-    var phi_2909_: bool;
-    var phi_2669_: type_55;
-    var phi_2670_: u32;
-    var phi_2671_: u32;
-    var phi_2672_: bool;
-    var phi_2673_: u32;
-    var phi_2908_: bool;
+    var phi_811_: f32;
+    var phi_2745_: bool;
     var phi_822_: type_55;
     var phi_825_: u32;
     var phi_827_: u32;
     var phi_829_: bool;
     var phi_831_: u32;
-    var phi_2674_: bool;
+    var phi_842_: bool;
+    var phi_874_: u32;
+    var phi_875_: bool;
+    var phi_876_: u32;
+    var phi_2263_: type_54;
+    var phi_2607_: u32;
+    var phi_2635_: u32;
+    var phi_2636_: u32;
+    var phi_2637_: u32;
+    var phi_2639_: u32;
+    var phi_2640_: u32;
+    var phi_2641_: bool;
+    var phi_2650_: u32;
+    var phi_2655_: u32;
+    var phi_2656_: bool;
+    var phi_891_: type_55;
+    var phi_894_: type_8;
+    var phi_895_: type_8;
+    var phi_917_: type_8;
+    var phi_938_: u32;
+    var phi_1027_: array<array<f32, 3>, 3>;
+    var phi_1144_: bool;
+    var phi_1173_: bool;
+    var phi_1574_: f32;
+    var phi_1575_: f32;
+    var phi_1576_: f32;
+    var phi_1577_: f32;
+    var phi_1578_: vec3<f32>;
+    var phi_1579_: vec3<f32>;
+    var phi_1580_: vec3<f32>;
+    var phi_1581_: vec3<f32>;
+    var phi_1612_: bool;
+    var phi_1621_: vec3<f32>;
+    var phi_1786_: f32;
+    var phi_1788_: f32;
+    var phi_1789_: bool;
+    var phi_1809_: f32;
+    var phi_1810_: f32;
+    var phi_1833_: type_28;
+    var phi_1835_: type_28;
+    var phi_1836_: bool;
+    var phi_1840_: type_28;
+    var phi_1841_: type_28;
+    var phi_1842_: type_28;
+    var phi_1843_: bool;
+    var phi_1847_: type_28;
+    var phi_1848_: bool;
+    var phi_1849_: type_28;
+    var phi_1850_: bool;
+    var phi_1851_: bool;
+    var phi_1852_: type_28;
+    var phi_1853_: bool;
+    var phi_1854_: bool;
+    var phi_1862_: type_28;
+    var phi_1863_: bool;
+    var phi_1867_: type_28;
+    var phi_1890_: u32;
+    var phi_1904_: i32;
+    var phi_1924_: vec3<f32>;
+    var phi_1925_: vec3<f32>;
+    var phi_1941_: vec3<f32>;
+    var phi_1942_: vec3<f32>;
+    var phi_1958_: vec3<f32>;
+    var phi_1959_: vec3<f32>;
+    var phi_1995_: vec3<f32>;
+    var phi_2177_: f32;
+    var phi_2195_: bool;
+    var phi_2196_: bool;
+    var phi_2201_: type_55;
+    var phi_2202_: type_55;
+    var phi_892_: type_55;
+    var phi_2739_: bool;
+    var local_2: type_55;
+    var phi_2909_: bool;
+    var phi_2658_: type_55;
+    var phi_2659_: u32;
+    var phi_2660_: bool;
+    var phi_2661_: u32;
+    var phi_2908_: bool;
+    var phi_2662_: type_55;
+    var phi_2663_: u32;
+    var phi_2664_: u32;
+    var phi_2665_: bool;
+    var phi_2666_: u32;
     var phi_2907_: bool;
+    var phi_2667_: type_55;
+    var phi_2668_: u32;
+    var phi_2669_: u32;
+    var phi_2670_: bool;
+    var phi_2671_: u32;
+    var phi_2906_: bool;
+    var phi_823_: type_55;
+    var phi_826_: u32;
+    var phi_828_: u32;
+    var phi_830_: bool;
+    var phi_832_: u32;
+    var phi_2672_: bool;
+    var phi_2905_: bool;
     var local_3: type_55;
     var local_4: type_55;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e75 = global;
-            let _e77 = arrayLength((&global_4.member));
-            let _e79 = arrayLength((&global_2.member));
-            let _e91 = arrayLength((&global_7.member));
-            let _e95 = (_e75.x + (_e75.y * 2097152u));
-            let _e96 = (_e95 < arrayLength((&global_8.member)));
-            if _e96 {
-                if _e96 {
+            let _e76 = global;
+            let _e78 = arrayLength((&global_4.member));
+            let _e80 = arrayLength((&global_2.member));
+            let _e92 = arrayLength((&global_7.member));
+            let _e96 = (_e76.x + (_e76.y * 2097152u));
+            let _e97 = (_e96 < arrayLength((&global_8.member)));
+            if _e97 {
+                if _e97 {
                 } else {
                     break;
                 }
-                let _e100 = global_8.member[_e95].member_2;
-                phi_223_ = _e100;
+                let _e101 = global_8.member[_e96].member_2;
+                phi_224_ = _e101;
             } else {
-                phi_223_ = 4294967295u;
+                phi_224_ = 4294967295u;
             }
-            let _e102 = phi_223_;
-            let _e105 = global_1.member[0u];
-            let _e109 = global_3.member[0u][0u];
-            let _e113 = global_3.member[0u][1u];
-            let _e117 = global_3.member[0u][2u];
-            let _e121 = global_3.member[0u][3u];
-            let _e125 = global_3.member[1u][0u];
-            let _e129 = global_3.member[1u][1u];
-            let _e133 = global_3.member[1u][2u];
-            let _e137 = global_3.member[1u][3u];
-            let _e138 = bitcast<f32>(_e109);
-            let _e139 = bitcast<f32>(_e113);
-            let _e140 = bitcast<f32>(_e117);
-            let _e142 = bitcast<f32>(_e125);
-            let _e143 = array<u32, 3>(_e129, _e133, _e137);
-            let _e145 = bitcast<i32>(_e105);
-            if (_e145 < -126i) {
-                phi_267_ = -126i;
+            let _e103 = phi_224_;
+            let _e106 = global_1.member[0u];
+            let _e110 = global_3.member[0u][0u];
+            let _e114 = global_3.member[0u][1u];
+            let _e118 = global_3.member[0u][2u];
+            let _e122 = global_3.member[0u][3u];
+            let _e126 = global_3.member[1u][0u];
+            let _e130 = global_3.member[1u][1u];
+            let _e134 = global_3.member[1u][2u];
+            let _e138 = global_3.member[1u][3u];
+            let _e139 = bitcast<f32>(_e110);
+            let _e140 = bitcast<f32>(_e114);
+            let _e141 = bitcast<f32>(_e118);
+            let _e143 = bitcast<f32>(_e126);
+            let _e144 = array<u32, 3>(_e130, _e134, _e138);
+            let _e146 = bitcast<i32>(_e106);
+            if (_e146 < -126i) {
+                phi_268_ = -126i;
             } else {
-                phi_267_ = select(_e145, 127i, (_e145 > 127i));
+                phi_268_ = select(_e146, 127i, (_e146 > 127i));
             }
-            let _e150 = phi_267_;
-            let _e155 = bitcast<f32>((bitcast<u32>((_e150 + 127i)) << bitcast<u32>(23i)));
-            let _e161 = bitcast<f32>((bitcast<u32>(((_e145 - _e150) + 127i)) << bitcast<u32>(23i)));
-            if (_e121 == 0u) {
-                phi_291_ = type_47(array<f32, 3>(_e138, _e139, _e140), _e121, _e142, _e143);
+            let _e151 = phi_268_;
+            let _e156 = bitcast<f32>((bitcast<u32>((_e151 + 127i)) << bitcast<u32>(23i)));
+            let _e162 = bitcast<f32>((bitcast<u32>(((_e146 - _e151) + 127i)) << bitcast<u32>(23i)));
+            if (_e122 == 0u) {
+                phi_292_ = type_47(array<f32, 3>(_e139, _e140, _e141), _e122, _e143, _e144);
             } else {
-                phi_291_ = type_47(array<f32, 3>(((_e138 * _e155) * _e161), ((_e139 * _e155) * _e161), ((_e140 * _e155) * _e161)), _e121, ((_e142 * _e155) * _e161), _e143);
+                phi_292_ = type_47(array<f32, 3>(((_e139 * _e156) * _e162), ((_e140 * _e156) * _e162), ((_e141 * _e156) * _e162)), _e122, ((_e143 * _e156) * _e162), _e144);
             }
-            let _e174 = phi_291_;
-            if _e96 {
-                let _e175 = (_e95 < arrayLength((&global_9.member)));
-                if _e175 {
-                    if _e96 {
+            let _e175 = phi_292_;
+            if _e97 {
+                let _e176 = (_e96 < arrayLength((&global_9.member)));
+                if _e176 {
+                    if _e97 {
                     } else {
                         break;
                     }
-                    let _e180 = global_8.member[_e95].member.member_1;
-                    let _e185 = global_8.member[_e95].member.member_3;
-                    if (_e180 <= _e185) {
-                        let _e187 = (1u < _e91);
-                        if _e187 {
-                            if (0u < _e91) {
+                    let _e181 = global_8.member[_e96].member.member_1;
+                    let _e186 = global_8.member[_e96].member.member_3;
+                    if (_e181 <= _e186) {
+                        let _e188 = (1u < _e92);
+                        if _e188 {
+                            if (0u < _e92) {
                             } else {
                                 break;
                             }
-                            let _e191 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e191 + 1u) < _e191) {
-                                if _e187 {
+                            let _e192 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e192 + 1u) < _e192) {
+                                if _e188 {
                                 } else {
                                     break;
                                 }
-                                let _e196 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e197 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e96 {
+                        if _e97 {
                         } else {
                             break;
                         }
-                        let _e206 = global_8.member[_e95].member.member_2[0u];
-                        let _e208 = (bitcast<u32>(_e206) & 2147483647u);
-                        let _e214 = global_8.member[_e95].member.member_2[1u];
-                        let _e216 = (bitcast<u32>(_e214) & 2147483647u);
-                        let _e222 = global_8.member[_e95].member.member_2[2u];
-                        let _e224 = (bitcast<u32>(_e222) & 2147483647u);
-                        let _e230 = global_8.member[_e95].member.member[0u];
-                        let _e232 = (bitcast<u32>(_e230) & 2147483647u);
-                        let _e238 = global_8.member[_e95].member.member[1u];
-                        let _e240 = (bitcast<u32>(_e238) & 2147483647u);
-                        let _e246 = global_8.member[_e95].member.member[2u];
-                        let _e248 = (bitcast<u32>(_e246) & 2147483647u);
-                        let _e250 = select(_e216, _e208, (_e216 < _e208));
-                        let _e252 = select(_e224, _e250, (_e224 < _e250));
-                        let _e254 = select(_e232, _e252, (_e232 < _e252));
-                        let _e256 = select(_e240, _e254, (_e240 < _e254));
-                        let _e258 = select(_e248, _e256, (_e248 < _e256));
-                        let _e260 = (bitcast<u32>(_e180) & 2147483647u);
-                        let _e269 = (((select(_e260, _e258, (_e260 < _e258)) < 2139095040u) && ((bitcast<u32>(_e185) & 2147483647u) <= 2139095040u)) && (_e252 > 0u));
-                        if _e269 {
-                            let _e272 = (bitcast<u32>(bitcast<f32>(_e252)) & 2147483647u);
-                            if (_e272 >= 8388608u) {
-                                phi_441_ = (bitcast<i32>((_e272 >> bitcast<u32>(23i))) - 127i);
+                        let _e207 = global_8.member[_e96].member.member_2[0u];
+                        let _e209 = (bitcast<u32>(_e207) & 2147483647u);
+                        let _e215 = global_8.member[_e96].member.member_2[1u];
+                        let _e217 = (bitcast<u32>(_e215) & 2147483647u);
+                        let _e223 = global_8.member[_e96].member.member_2[2u];
+                        let _e225 = (bitcast<u32>(_e223) & 2147483647u);
+                        let _e231 = global_8.member[_e96].member.member[0u];
+                        let _e233 = (bitcast<u32>(_e231) & 2147483647u);
+                        let _e239 = global_8.member[_e96].member.member[1u];
+                        let _e241 = (bitcast<u32>(_e239) & 2147483647u);
+                        let _e247 = global_8.member[_e96].member.member[2u];
+                        let _e249 = (bitcast<u32>(_e247) & 2147483647u);
+                        let _e251 = select(_e217, _e209, (_e217 < _e209));
+                        let _e253 = select(_e225, _e251, (_e225 < _e251));
+                        let _e255 = select(_e233, _e253, (_e233 < _e253));
+                        let _e257 = select(_e241, _e255, (_e241 < _e255));
+                        let _e259 = select(_e249, _e257, (_e249 < _e257));
+                        let _e261 = (bitcast<u32>(_e181) & 2147483647u);
+                        let _e270 = (((select(_e261, _e259, (_e261 < _e259)) < 2139095040u) && ((bitcast<u32>(_e186) & 2147483647u) <= 2139095040u)) && (_e253 > 0u));
+                        if _e270 {
+                            let _e273 = (bitcast<u32>(bitcast<f32>(_e253)) & 2147483647u);
+                            if (_e273 >= 8388608u) {
+                                phi_442_ = (bitcast<i32>((_e273 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_441_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e272)), 32u, (_e272 == 0u))));
+                                phi_442_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e273)), 32u, (_e273 == 0u))));
                             }
-                            let _e286 = phi_441_;
-                            phi_442_ = _e286;
+                            let _e287 = phi_442_;
+                            phi_443_ = _e287;
                         } else {
-                            phi_442_ = 0i;
+                            phi_443_ = 0i;
                         }
-                        let _e288 = phi_442_;
-                        let _e289 = (_e208 == _e252);
-                        if _e289 {
-                            phi_452_ = true;
+                        let _e289 = phi_443_;
+                        let _e290 = (_e209 == _e253);
+                        if _e290 {
+                            phi_453_ = true;
                         } else {
-                            phi_452_ = (_e216 == _e252);
+                            phi_453_ = (_e217 == _e253);
                         }
-                        let _e292 = phi_452_;
-                        let _e293 = select(1u, 0u, _e289);
-                        if _e292 {
-                            let _e294 = (_e293 + 1u);
-                            phi_462_ = _e294;
-                            phi_463_ = _e294;
-                            phi_465_ = select(true, false, (_e294 == 2u));
+                        let _e293 = phi_453_;
+                        let _e294 = select(1u, 0u, _e290);
+                        if _e293 {
+                            let _e295 = (_e294 + 1u);
+                            phi_463_ = _e295;
+                            phi_464_ = _e295;
+                            phi_466_ = select(true, false, (_e295 == 2u));
                         } else {
-                            phi_462_ = u32();
-                            phi_463_ = 0u;
-                            phi_465_ = true;
+                            phi_463_ = u32();
+                            phi_464_ = 0u;
+                            phi_466_ = true;
                         }
-                        let _e298 = phi_462_;
-                        let _e300 = phi_463_;
-                        let _e302 = phi_465_;
-                        if _e302 {
-                            phi_470_ = (_e300 + 1u);
+                        let _e299 = phi_463_;
+                        let _e301 = phi_464_;
+                        let _e303 = phi_466_;
+                        if _e303 {
+                            phi_471_ = (_e301 + 1u);
                         } else {
-                            phi_470_ = 0u;
+                            phi_471_ = 0u;
                         }
-                        let _e306 = phi_470_;
-                        let _e307 = select(_e298, _e300, _e302);
-                        let _e308 = select(_e293, select(2u, _e293, _e292), _e302);
-                        let _e309 = -(_e288);
-                        if (_e309 < -126i) {
-                            phi_502_ = -126i;
+                        let _e307 = phi_471_;
+                        let _e308 = select(_e299, _e301, _e303);
+                        let _e309 = select(_e294, select(2u, _e294, _e293), _e303);
+                        let _e310 = -(_e289);
+                        if (_e310 < -126i) {
+                            phi_503_ = -126i;
                         } else {
-                            phi_502_ = select(_e309, 127i, (_e309 > 127i));
+                            phi_503_ = select(_e310, 127i, (_e310 > 127i));
                         }
-                        let _e314 = phi_502_;
-                        let _e319 = bitcast<f32>((bitcast<u32>((_e314 + 127i)) << bitcast<u32>(23i)));
-                        let _e325 = bitcast<f32>((bitcast<u32>(((_e309 - _e314) + 127i)) << bitcast<u32>(23i)));
-                        let _e330 = global_8.member[_e95].member.member;
-                        let _e331 = (_e307 == 0u);
-                        if _e331 {
-                            phi_520_ = _e330[0];
+                        let _e315 = phi_503_;
+                        let _e320 = bitcast<f32>((bitcast<u32>((_e315 + 127i)) << bitcast<u32>(23i)));
+                        let _e326 = bitcast<f32>((bitcast<u32>(((_e310 - _e315) + 127i)) << bitcast<u32>(23i)));
+                        let _e331 = global_8.member[_e96].member.member;
+                        let _e332 = (_e308 == 0u);
+                        if _e332 {
+                            phi_521_ = _e331[0];
                         } else {
-                            phi_520_ = _e330[1];
+                            phi_521_ = _e331[1];
                         }
-                        let _e335 = phi_520_;
-                        let _e336 = (_e307 == 2u);
-                        if _e336 {
-                            phi_526_ = _e330[2];
+                        let _e336 = phi_521_;
+                        let _e337 = (_e308 == 2u);
+                        if _e337 {
+                            phi_527_ = _e331[2];
                         } else {
-                            phi_526_ = _e335;
+                            phi_527_ = _e336;
                         }
-                        let _e339 = phi_526_;
-                        let _e340 = global_8.member[_e95].member.member_2;
-                        if _e331 {
-                            phi_537_ = _e340[0];
+                        let _e340 = phi_527_;
+                        let _e341 = global_8.member[_e96].member.member_2;
+                        if _e332 {
+                            phi_538_ = _e341[0];
                         } else {
-                            phi_537_ = _e340[1];
+                            phi_538_ = _e341[1];
                         }
-                        let _e344 = phi_537_;
-                        if _e336 {
-                            phi_543_ = _e340[2];
+                        let _e345 = phi_538_;
+                        if _e337 {
+                            phi_544_ = _e341[2];
                         } else {
-                            phi_543_ = _e344;
+                            phi_544_ = _e345;
                         }
-                        let _e347 = phi_543_;
-                        let _e349 = ((_e347 * _e319) * _e325);
-                        let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e353 {
-                            let _e357 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) * 0.00000011920929f);
-                            phi_566_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
+                        let _e348 = phi_544_;
+                        let _e350 = ((_e348 * _e320) * _e326);
+                        let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e354 {
+                            let _e358 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) * 0.00000011920929f);
+                            phi_567_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                         } else {
-                            phi_566_ = 0f;
+                            phi_567_ = 0f;
                         }
-                        let _e361 = phi_566_;
-                        let _e362 = (_e339 + _e361);
-                        let _e363 = (_e339 - _e361);
-                        let _e364 = select(_e349, 0f, _e353);
-                        if _e353 {
-                            phi_577_ = 38685626000000000000000000f;
+                        let _e362 = phi_567_;
+                        let _e363 = (_e340 + _e362);
+                        let _e364 = (_e340 - _e362);
+                        let _e365 = select(_e350, 0f, _e354);
+                        if _e354 {
+                            phi_578_ = 38685626000000000000000000f;
                         } else {
-                            phi_577_ = (1f / _e349);
+                            phi_578_ = (1f / _e350);
                         }
-                        let _e367 = phi_577_;
-                        let _e368 = (_e306 == 0u);
-                        if _e368 {
-                            phi_586_ = _e330[0];
+                        let _e368 = phi_578_;
+                        let _e369 = (_e307 == 0u);
+                        if _e369 {
+                            phi_587_ = _e331[0];
                         } else {
-                            phi_586_ = _e330[1];
+                            phi_587_ = _e331[1];
                         }
-                        let _e372 = phi_586_;
-                        let _e373 = (_e306 == 2u);
-                        if _e373 {
-                            phi_592_ = _e330[2];
+                        let _e373 = phi_587_;
+                        let _e374 = (_e307 == 2u);
+                        if _e374 {
+                            phi_593_ = _e331[2];
                         } else {
-                            phi_592_ = _e372;
+                            phi_593_ = _e373;
                         }
-                        let _e376 = phi_592_;
-                        if _e368 {
-                            phi_603_ = _e340[0];
+                        let _e377 = phi_593_;
+                        if _e369 {
+                            phi_604_ = _e341[0];
                         } else {
-                            phi_603_ = _e340[1];
+                            phi_604_ = _e341[1];
                         }
-                        let _e380 = phi_603_;
-                        if _e373 {
-                            phi_609_ = _e340[2];
+                        let _e381 = phi_604_;
+                        if _e374 {
+                            phi_610_ = _e341[2];
                         } else {
-                            phi_609_ = _e380;
+                            phi_610_ = _e381;
                         }
-                        let _e383 = phi_609_;
-                        let _e385 = ((_e383 * _e319) * _e325);
-                        let _e389 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e389 {
-                            let _e393 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
-                            phi_632_ = select(0.00000000000011368684f, _e393, (_e393 > 0.00000000000011368684f));
+                        let _e384 = phi_610_;
+                        let _e386 = ((_e384 * _e320) * _e326);
+                        let _e390 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e390 {
+                            let _e394 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) * 0.00000011920929f);
+                            phi_633_ = select(0.00000000000011368684f, _e394, (_e394 > 0.00000000000011368684f));
                         } else {
-                            phi_632_ = 0f;
+                            phi_633_ = 0f;
                         }
-                        let _e397 = phi_632_;
-                        let _e398 = (_e376 + _e397);
-                        let _e399 = (_e376 - _e397);
-                        let _e400 = select(_e385, 0f, _e389);
-                        if _e389 {
-                            phi_643_ = 38685626000000000000000000f;
+                        let _e398 = phi_633_;
+                        let _e399 = (_e377 + _e398);
+                        let _e400 = (_e377 - _e398);
+                        let _e401 = select(_e386, 0f, _e390);
+                        if _e390 {
+                            phi_644_ = 38685626000000000000000000f;
                         } else {
-                            phi_643_ = (1f / _e385);
+                            phi_644_ = (1f / _e386);
                         }
-                        let _e403 = phi_643_;
-                        let _e404 = (_e308 == 0u);
-                        if _e404 {
-                            phi_652_ = _e330[0];
+                        let _e404 = phi_644_;
+                        let _e405 = (_e309 == 0u);
+                        if _e405 {
+                            phi_653_ = _e331[0];
                         } else {
-                            phi_652_ = _e330[1];
+                            phi_653_ = _e331[1];
                         }
-                        let _e408 = phi_652_;
-                        let _e409 = (_e308 == 2u);
-                        if _e409 {
-                            phi_658_ = _e330[2];
+                        let _e409 = phi_653_;
+                        let _e410 = (_e309 == 2u);
+                        if _e410 {
+                            phi_659_ = _e331[2];
                         } else {
-                            phi_658_ = _e408;
+                            phi_659_ = _e409;
                         }
-                        let _e412 = phi_658_;
-                        if _e404 {
-                            phi_669_ = _e340[0];
+                        let _e413 = phi_659_;
+                        if _e405 {
+                            phi_670_ = _e341[0];
                         } else {
-                            phi_669_ = _e340[1];
+                            phi_670_ = _e341[1];
                         }
-                        let _e416 = phi_669_;
-                        if _e409 {
-                            phi_675_ = _e340[2];
+                        let _e417 = phi_670_;
+                        if _e410 {
+                            phi_676_ = _e341[2];
                         } else {
-                            phi_675_ = _e416;
+                            phi_676_ = _e417;
                         }
-                        let _e419 = phi_675_;
-                        let _e421 = ((_e419 * _e319) * _e325);
-                        let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e425 {
-                            let _e429 = (bitcast<f32>((bitcast<u32>(_e412) & 2147483647u)) * 0.00000011920929f);
-                            phi_698_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
+                        let _e420 = phi_676_;
+                        let _e422 = ((_e420 * _e320) * _e326);
+                        let _e426 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e426 {
+                            let _e430 = (bitcast<f32>((bitcast<u32>(_e413) & 2147483647u)) * 0.00000011920929f);
+                            phi_699_ = select(0.00000000000011368684f, _e430, (_e430 > 0.00000000000011368684f));
                         } else {
-                            phi_698_ = 0f;
+                            phi_699_ = 0f;
                         }
-                        let _e433 = phi_698_;
-                        let _e434 = (_e412 + _e433);
-                        let _e435 = (_e412 - _e433);
-                        let _e436 = select(_e421, 0f, _e425);
-                        if _e425 {
-                            phi_709_ = 38685626000000000000000000f;
+                        let _e434 = phi_699_;
+                        let _e435 = (_e413 + _e434);
+                        let _e436 = (_e413 - _e434);
+                        let _e437 = select(_e422, 0f, _e426);
+                        if _e426 {
+                            phi_710_ = 38685626000000000000000000f;
                         } else {
-                            phi_709_ = (1f / _e421);
+                            phi_710_ = (1f / _e422);
                         }
-                        let _e439 = phi_709_;
-                        let _e442 = bitcast<f32>((bitcast<u32>(_e339) & 2147483647u));
-                        let _e445 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
-                        let _e447 = select(_e445, _e442, (_e442 > _e445));
-                        let _e450 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
-                        if (_e269 && (select(_e450, _e447, (_e447 > _e450)) <= 1099511600000f)) {
-                            let _e455 = (_e288 / 3i);
-                            let _e462 = bitcast<f32>((bitcast<u32>((_e455 + 127i)) << bitcast<u32>(23i)));
-                            let _e469 = bitcast<f32>((bitcast<u32>(((_e288 - (2i * _e455)) + 127i)) << bitcast<u32>(23i)));
-                            let _e470 = (((_e180 * _e462) * _e462) * _e469);
-                            let _e472 = select(340282350000000000000000000000000000000f, _e470, (_e470 < 340282350000000000000000000000000000000f));
-                            let _e477 = (((_e185 * _e462) * _e462) * _e469);
-                            let _e479 = select(340282350000000000000000000000000000000f, _e477, (_e477 < 340282350000000000000000000000000000000f));
-                            phi_809_ = select(-340282350000000000000000000000000000000f, _e479, (_e479 > -340282350000000000000000000000000000000f));
-                            phi_810_ = select(-340282350000000000000000000000000000000f, _e472, (_e472 > -340282350000000000000000000000000000000f));
+                        let _e440 = phi_710_;
+                        let _e443 = bitcast<f32>((bitcast<u32>(_e340) & 2147483647u));
+                        let _e446 = bitcast<f32>((bitcast<u32>(_e377) & 2147483647u));
+                        let _e448 = select(_e446, _e443, (_e443 > _e446));
+                        let _e451 = bitcast<f32>((bitcast<u32>(_e413) & 2147483647u));
+                        if (_e270 && (select(_e451, _e448, (_e448 > _e451)) <= 1099511600000f)) {
+                            let _e456 = (_e289 / 3i);
+                            let _e463 = bitcast<f32>((bitcast<u32>((_e456 + 127i)) << bitcast<u32>(23i)));
+                            let _e470 = bitcast<f32>((bitcast<u32>(((_e289 - (2i * _e456)) + 127i)) << bitcast<u32>(23i)));
+                            let _e471 = (((_e181 * _e463) * _e463) * _e470);
+                            let _e473 = select(340282350000000000000000000000000000000f, _e471, (_e471 < 340282350000000000000000000000000000000f));
+                            let _e478 = (((_e186 * _e463) * _e463) * _e470);
+                            let _e480 = select(340282350000000000000000000000000000000f, _e478, (_e478 < 340282350000000000000000000000000000000f));
+                            phi_810_ = select(-340282350000000000000000000000000000000f, _e480, (_e480 > -340282350000000000000000000000000000000f));
+                            phi_811_ = select(-340282350000000000000000000000000000000f, _e473, (_e473 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_809_ = 0f;
-                            phi_810_ = 1f;
+                            phi_810_ = 0f;
+                            phi_811_ = 1f;
                         }
-                        let _e483 = phi_809_;
-                        let _e485 = phi_810_;
+                        let _e484 = phi_810_;
+                        let _e486 = phi_811_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2747_ = false;
-                        phi_821_ = type_55(_e483, false);
-                        phi_824_ = select(0u, 2147483648u, (_e77 == 0u));
-                        phi_826_ = ((3u * _e77) + 1u);
-                        phi_828_ = (_e485 <= _e483);
-                        phi_830_ = 0u;
+                        phi_2745_ = false;
+                        phi_822_ = type_55(_e484, false);
+                        phi_825_ = select(0u, 2147483648u, (_e78 == 0u));
+                        phi_827_ = ((3u * _e78) + 1u);
+                        phi_829_ = (_e486 <= _e484);
+                        phi_831_ = 0u;
                         loop {
-                            let _e493 = phi_2747_;
-                            let _e495 = phi_821_;
-                            let _e497 = phi_824_;
-                            let _e499 = phi_826_;
-                            let _e501 = phi_828_;
-                            let _e503 = phi_830_;
-                            local_3 = _e495;
-                            if _e501 {
-                                phi_841_ = true;
+                            let _e494 = phi_2745_;
+                            let _e496 = phi_822_;
+                            let _e498 = phi_825_;
+                            let _e500 = phi_827_;
+                            let _e502 = phi_829_;
+                            let _e504 = phi_831_;
+                            local_3 = _e496;
+                            if _e502 {
+                                phi_842_ = true;
                             } else {
-                                phi_841_ = (_e503 > 0u);
+                                phi_842_ = (_e504 > 0u);
                             }
-                            let _e506 = phi_841_;
-                            if _e506 {
-                                let _e507 = (_e499 > 0u);
-                                if _e507 {
-                                    if _e501 {
-                                        phi_873_ = _e497;
-                                        phi_874_ = _e501;
-                                        phi_875_ = _e503;
+                            let _e507 = phi_842_;
+                            if _e507 {
+                                let _e508 = (_e500 > 0u);
+                                if _e508 {
+                                    if _e502 {
+                                        phi_874_ = _e498;
+                                        phi_875_ = _e502;
+                                        phi_876_ = _e504;
                                     } else {
-                                        let _e508 = (_e503 - 1u);
-                                        let _e509 = (_e508 % 128u);
-                                        let _e510 = (_e509 < 128u);
-                                        if _e510 {
+                                        let _e509 = (_e504 - 1u);
+                                        let _e510 = (_e509 % 128u);
+                                        let _e511 = (_e510 < 128u);
+                                        if _e511 {
                                         } else {
-                                            phi_2907_ = true;
+                                            phi_2905_ = true;
                                             break;
                                         }
-                                        let _e512 = local_1[_e509];
-                                        if _e510 {
+                                        let _e513 = local_1[_e510];
+                                        if _e511 {
                                         } else {
-                                            phi_2907_ = true;
+                                            phi_2905_ = true;
                                             break;
                                         }
-                                        let _e514 = local[_e509];
-                                        phi_873_ = _e512;
-                                        phi_874_ = (_e514 <= _e495.member);
-                                        phi_875_ = _e508;
+                                        let _e515 = local[_e510];
+                                        phi_874_ = _e513;
+                                        phi_875_ = (_e515 <= _e496.member);
+                                        phi_876_ = _e509;
                                     }
-                                    let _e518 = phi_873_;
-                                    let _e520 = phi_874_;
-                                    let _e522 = phi_875_;
-                                    if _e520 {
-                                        if ((_e518 & 2147483648u) != 0u) {
-                                            phi_890_ = _e495;
-                                            phi_893_ = type_8(0u, ((_e518 >> bitcast<u32>(28u)) & 7u));
+                                    let _e519 = phi_874_;
+                                    let _e521 = phi_875_;
+                                    let _e523 = phi_876_;
+                                    if _e521 {
+                                        if ((_e519 & 2147483648u) != 0u) {
+                                            phi_891_ = _e496;
+                                            phi_894_ = type_8(0u, ((_e519 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e720 = phi_890_;
-                                                let _e722 = phi_893_;
-                                                local_2 = _e720;
-                                                local_4 = _e720;
-                                                if (_e722.member < _e722.member_1) {
-                                                    phi_894_ = type_8((_e722.member + 1u), _e722.member_1);
-                                                    phi_916_ = type_8(1u, _e722.member);
+                                                let _e721 = phi_891_;
+                                                let _e723 = phi_894_;
+                                                local_2 = _e721;
+                                                local_4 = _e721;
+                                                if (_e723.member < _e723.member_1) {
+                                                    phi_895_ = type_8((_e723.member + 1u), _e723.member_1);
+                                                    phi_917_ = type_8(1u, _e723.member);
                                                 } else {
-                                                    phi_894_ = _e722;
-                                                    phi_916_ = type_8(0u, type_8().member_1);
+                                                    phi_895_ = _e723;
+                                                    phi_917_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e735 = phi_894_;
-                                                let _e737 = phi_916_;
-                                                let _e741 = (bitcast<i32>(_e737.member) != 0i);
-                                                if _e741 {
-                                                    let _e742 = ((_e518 & 268435455u) + _e737.member_1);
-                                                    let _e743 = (_e742 < _e79);
-                                                    if _e743 {
-                                                        if _e743 {
+                                                let _e736 = phi_895_;
+                                                let _e738 = phi_917_;
+                                                let _e742 = (bitcast<i32>(_e738.member) != 0i);
+                                                if _e742 {
+                                                    let _e743 = ((_e519 & 268435455u) + _e738.member_1);
+                                                    let _e744 = (_e743 < _e80);
+                                                    if _e744 {
+                                                        if _e744 {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e747 = global_2.member[_e742].member_1;
-                                                        phi_937_ = _e747;
+                                                        let _e748 = global_2.member[_e743].member_1;
+                                                        phi_938_ = _e748;
                                                     } else {
-                                                        phi_937_ = 4294967295u;
+                                                        phi_938_ = 4294967295u;
                                                     }
-                                                    let _e749 = phi_937_;
-                                                    if (_e742 >= _e79) {
-                                                        phi_1026_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e750 = phi_938_;
+                                                    if (_e743 >= _e80) {
+                                                        phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e743 {
+                                                        if _e744 {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e751 = (_e307 % 3u);
-                                                        let _e752 = (_e306 % 3u);
-                                                        let _e753 = (_e308 % 3u);
-                                                        if (_e751 < 9u) {
-                                                        } else {
-                                                            phi_2741_ = true;
-                                                            break;
-                                                        }
-                                                        let _e759 = global_2.member[_e742].member[_e751];
+                                                        let _e752 = (_e308 % 3u);
+                                                        let _e753 = (_e307 % 3u);
+                                                        let _e754 = (_e309 % 3u);
                                                         if (_e752 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e765 = global_2.member[_e742].member[_e752];
+                                                        let _e760 = global_2.member[_e743].member[_e752];
                                                         if (_e753 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e771 = global_2.member[_e742].member[_e753];
-                                                        let _e773 = (3u + _e751);
-                                                        if (_e773 < 9u) {
+                                                        let _e766 = global_2.member[_e743].member[_e753];
+                                                        if (_e754 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e779 = global_2.member[_e742].member[_e773];
-                                                        let _e780 = (3u + _e752);
-                                                        if (_e780 < 9u) {
+                                                        let _e772 = global_2.member[_e743].member[_e754];
+                                                        let _e774 = (3u + _e752);
+                                                        if (_e774 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e786 = global_2.member[_e742].member[_e780];
-                                                        let _e787 = (3u + _e753);
-                                                        if (_e787 < 9u) {
+                                                        let _e780 = global_2.member[_e743].member[_e774];
+                                                        let _e781 = (3u + _e753);
+                                                        if (_e781 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e793 = global_2.member[_e742].member[_e787];
-                                                        let _e795 = (6u + _e751);
-                                                        if (_e795 < 9u) {
+                                                        let _e787 = global_2.member[_e743].member[_e781];
+                                                        let _e788 = (3u + _e754);
+                                                        if (_e788 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e801 = global_2.member[_e742].member[_e795];
-                                                        let _e802 = (6u + _e752);
-                                                        if (_e802 < 9u) {
+                                                        let _e794 = global_2.member[_e743].member[_e788];
+                                                        let _e796 = (6u + _e752);
+                                                        if (_e796 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e808 = global_2.member[_e742].member[_e802];
-                                                        let _e809 = (6u + _e753);
-                                                        if (_e809 < 9u) {
+                                                        let _e802 = global_2.member[_e743].member[_e796];
+                                                        let _e803 = (6u + _e753);
+                                                        if (_e803 < 9u) {
                                                         } else {
-                                                            phi_2741_ = true;
+                                                            phi_2739_ = true;
                                                             break;
                                                         }
-                                                        let _e815 = global_2.member[_e742].member[_e809];
-                                                        phi_1026_ = array<array<f32, 3>, 3>(array<f32, 3>(_e759, _e765, _e771), array<f32, 3>(_e779, _e786, _e793), array<f32, 3>(_e801, _e808, _e815));
+                                                        let _e809 = global_2.member[_e743].member[_e803];
+                                                        let _e810 = (6u + _e754);
+                                                        if (_e810 < 9u) {
+                                                        } else {
+                                                            phi_2739_ = true;
+                                                            break;
+                                                        }
+                                                        let _e816 = global_2.member[_e743].member[_e810];
+                                                        phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(_e760, _e766, _e772), array<f32, 3>(_e780, _e787, _e794), array<f32, 3>(_e802, _e809, _e816));
                                                     }
-                                                    let _e819 = phi_1026_;
-                                                    let _e827 = (_e819[0][2] - _e412);
-                                                    let _e830 = (((_e819[0][0] - _e339) * _e436) - (_e827 * _e364));
-                                                    let _e833 = (((_e819[0][1] - _e376) * _e436) - (_e827 * _e400));
-                                                    let _e840 = (_e819[1][2] - _e412);
-                                                    let _e843 = (((_e819[1][0] - _e339) * _e436) - (_e840 * _e364));
-                                                    let _e846 = (((_e819[1][1] - _e376) * _e436) - (_e840 * _e400));
-                                                    let _e853 = (_e819[2][2] - _e412);
-                                                    let _e856 = (((_e819[2][0] - _e339) * _e436) - (_e853 * _e364));
-                                                    let _e859 = (((_e819[2][1] - _e376) * _e436) - (_e853 * _e400));
-                                                    let _e860 = (_e856 * _e846);
-                                                    let _e861 = (_e859 * _e843);
-                                                    let _e862 = (_e830 * _e859);
-                                                    let _e863 = (_e833 * _e856);
-                                                    let _e864 = (_e843 * _e833);
-                                                    let _e865 = (_e846 * _e830);
-                                                    let _e870 = (((_e860 >= _e861) && (_e862 >= _e863)) && (_e864 >= _e865));
-                                                    if (_e870 || (((_e860 <= _e861) && (_e862 <= _e863)) && (_e864 <= _e865))) {
-                                                        let _e877 = select(-1f, 1f, _e870);
-                                                        let _e879 = ((_e860 - _e861) * _e877);
-                                                        let _e881 = select(0f, _e879, (_e879 > 0f));
-                                                        let _e883 = ((_e862 - _e863) * _e877);
-                                                        let _e885 = select(0f, _e883, (_e883 > 0f));
-                                                        let _e887 = ((_e864 - _e865) * _e877);
-                                                        let _e889 = select(0f, _e887, (_e887 > 0f));
-                                                        let _e891 = ((_e881 + _e885) + _e889);
-                                                        if (_e891 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1854_ = type_28();
-                                                            phi_1855_ = true;
-                                                            phi_1856_ = false;
+                                                    let _e820 = phi_1027_;
+                                                    let _e828 = (_e820[0][2] - _e413);
+                                                    let _e831 = (((_e820[0][0] - _e340) * _e437) - (_e828 * _e365));
+                                                    let _e834 = (((_e820[0][1] - _e377) * _e437) - (_e828 * _e401));
+                                                    let _e841 = (_e820[1][2] - _e413);
+                                                    let _e844 = (((_e820[1][0] - _e340) * _e437) - (_e841 * _e365));
+                                                    let _e847 = (((_e820[1][1] - _e377) * _e437) - (_e841 * _e401));
+                                                    let _e854 = (_e820[2][2] - _e413);
+                                                    let _e857 = (((_e820[2][0] - _e340) * _e437) - (_e854 * _e365));
+                                                    let _e860 = (((_e820[2][1] - _e377) * _e437) - (_e854 * _e401));
+                                                    let _e861 = (_e857 * _e847);
+                                                    let _e862 = (_e860 * _e844);
+                                                    let _e863 = (_e831 * _e860);
+                                                    let _e864 = (_e834 * _e857);
+                                                    let _e865 = (_e844 * _e834);
+                                                    let _e866 = (_e847 * _e831);
+                                                    let _e871 = (((_e861 >= _e862) && (_e863 >= _e864)) && (_e865 >= _e866));
+                                                    if (_e871 || (((_e861 <= _e862) && (_e863 <= _e864)) && (_e865 <= _e866))) {
+                                                        let _e878 = select(-1f, 1f, _e871);
+                                                        let _e880 = ((_e861 - _e862) * _e878);
+                                                        let _e882 = select(0f, _e880, (_e880 > 0f));
+                                                        let _e884 = ((_e863 - _e864) * _e878);
+                                                        let _e886 = select(0f, _e884, (_e884 > 0f));
+                                                        let _e888 = ((_e865 - _e866) * _e878);
+                                                        let _e890 = select(0f, _e888, (_e888 > 0f));
+                                                        let _e892 = ((_e882 + _e886) + _e890);
+                                                        if (_e892 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1852_ = type_28();
+                                                            phi_1853_ = true;
+                                                            phi_1854_ = false;
                                                         } else {
-                                                            let _e894 = select(_e843, _e830, (_e830 < _e843));
-                                                            if (select(_e856, _e894, (_e894 < _e856)) > 0f) {
-                                                                phi_1143_ = true;
+                                                            let _e895 = select(_e844, _e831, (_e831 < _e844));
+                                                            if (select(_e857, _e895, (_e895 < _e857)) > 0f) {
+                                                                phi_1144_ = true;
                                                             } else {
-                                                                let _e899 = select(_e843, _e830, (_e830 > _e843));
-                                                                phi_1143_ = (select(_e856, _e899, (_e899 > _e856)) < 0f);
+                                                                let _e900 = select(_e844, _e831, (_e831 > _e844));
+                                                                phi_1144_ = (select(_e857, _e900, (_e900 > _e857)) < 0f);
                                                             }
-                                                            let _e904 = phi_1143_;
-                                                            if _e904 {
-                                                                phi_1851_ = type_28();
-                                                                phi_1852_ = true;
-                                                                phi_1853_ = false;
+                                                            let _e905 = phi_1144_;
+                                                            if _e905 {
+                                                                phi_1849_ = type_28();
+                                                                phi_1850_ = true;
+                                                                phi_1851_ = false;
                                                             } else {
-                                                                let _e906 = select(_e846, _e833, (_e833 < _e846));
-                                                                if (select(_e859, _e906, (_e906 < _e859)) > 0f) {
-                                                                    phi_1172_ = true;
+                                                                let _e907 = select(_e847, _e834, (_e834 < _e847));
+                                                                if (select(_e860, _e907, (_e907 < _e860)) > 0f) {
+                                                                    phi_1173_ = true;
                                                                 } else {
-                                                                    let _e911 = select(_e846, _e833, (_e833 > _e846));
-                                                                    phi_1172_ = (select(_e859, _e911, (_e911 > _e859)) < 0f);
+                                                                    let _e912 = select(_e847, _e834, (_e834 > _e847));
+                                                                    phi_1173_ = (select(_e860, _e912, (_e912 > _e860)) < 0f);
                                                                 }
-                                                                let _e916 = phi_1172_;
-                                                                if _e916 {
-                                                                    phi_1849_ = type_28();
-                                                                    phi_1850_ = false;
+                                                                let _e917 = phi_1173_;
+                                                                if _e917 {
+                                                                    phi_1847_ = type_28();
+                                                                    phi_1848_ = false;
                                                                 } else {
-                                                                    let _e918 = select(_e819[1][0], _e819[0][0], (_e819[0][0] < _e819[1][0]));
-                                                                    let _e922 = select(_e819[1][0], _e819[0][0], (_e819[0][0] > _e819[1][0]));
-                                                                    let _e926 = select(_e819[1][1], _e819[0][1], (_e819[0][1] < _e819[1][1]));
-                                                                    let _e930 = select(_e819[1][1], _e819[0][1], (_e819[0][1] > _e819[1][1]));
-                                                                    let _e934 = select(_e819[1][2], _e819[0][2], (_e819[0][2] < _e819[1][2]));
-                                                                    let _e938 = select(_e819[1][2], _e819[0][2], (_e819[0][2] > _e819[1][2]));
-                                                                    let _e943 = ((select(_e819[2][0], _e918, (_e918 < _e819[2][0])) - _e362) * _e367);
-                                                                    let _e944 = ((select(_e819[2][0], _e922, (_e922 > _e819[2][0])) - _e363) * _e367);
-                                                                    let _e947 = ((select(_e819[2][1], _e926, (_e926 < _e819[2][1])) - _e398) * _e403);
-                                                                    let _e948 = ((select(_e819[2][1], _e930, (_e930 > _e819[2][1])) - _e399) * _e403);
-                                                                    let _e951 = ((select(_e819[2][2], _e934, (_e934 < _e819[2][2])) - _e434) * _e439);
-                                                                    let _e952 = ((select(_e819[2][2], _e938, (_e938 > _e819[2][2])) - _e435) * _e439);
-                                                                    let _e954 = select(_e952, _e951, (_e951 < _e952));
-                                                                    let _e956 = select(_e952, _e951, (_e951 > _e952));
-                                                                    let _e958 = select(_e944, _e943, (_e943 < _e944));
-                                                                    let _e960 = select(_e948, _e947, (_e947 < _e948));
-                                                                    let _e962 = select(_e960, _e958, (_e958 > _e960));
-                                                                    let _e964 = select(_e954, _e962, (_e962 > _e954));
-                                                                    let _e966 = select(_e944, _e943, (_e943 > _e944));
-                                                                    let _e968 = select(_e948, _e947, (_e947 > _e948));
-                                                                    let _e970 = select(_e968, _e966, (_e966 < _e968));
-                                                                    let _e972 = select(_e956, _e970, (_e970 < _e956));
-                                                                    let _e973 = -(_e954);
-                                                                    let _e979 = select(_e485, _e964, (_e964 > _e485));
-                                                                    if (_e979 > (_e972 + (select(_e973, _e956, (_e956 > _e973)) * 0.0000019073523f))) {
-                                                                        phi_1844_ = type_28();
-                                                                        phi_1845_ = true;
+                                                                    let _e919 = select(_e820[1][0], _e820[0][0], (_e820[0][0] < _e820[1][0]));
+                                                                    let _e923 = select(_e820[1][0], _e820[0][0], (_e820[0][0] > _e820[1][0]));
+                                                                    let _e927 = select(_e820[1][1], _e820[0][1], (_e820[0][1] < _e820[1][1]));
+                                                                    let _e931 = select(_e820[1][1], _e820[0][1], (_e820[0][1] > _e820[1][1]));
+                                                                    let _e935 = select(_e820[1][2], _e820[0][2], (_e820[0][2] < _e820[1][2]));
+                                                                    let _e939 = select(_e820[1][2], _e820[0][2], (_e820[0][2] > _e820[1][2]));
+                                                                    let _e944 = ((select(_e820[2][0], _e919, (_e919 < _e820[2][0])) - _e363) * _e368);
+                                                                    let _e945 = ((select(_e820[2][0], _e923, (_e923 > _e820[2][0])) - _e364) * _e368);
+                                                                    let _e948 = ((select(_e820[2][1], _e927, (_e927 < _e820[2][1])) - _e399) * _e404);
+                                                                    let _e949 = ((select(_e820[2][1], _e931, (_e931 > _e820[2][1])) - _e400) * _e404);
+                                                                    let _e952 = ((select(_e820[2][2], _e935, (_e935 < _e820[2][2])) - _e435) * _e440);
+                                                                    let _e953 = ((select(_e820[2][2], _e939, (_e939 > _e820[2][2])) - _e436) * _e440);
+                                                                    let _e955 = select(_e953, _e952, (_e952 < _e953));
+                                                                    let _e957 = select(_e953, _e952, (_e952 > _e953));
+                                                                    let _e959 = select(_e945, _e944, (_e944 < _e945));
+                                                                    let _e961 = select(_e949, _e948, (_e948 < _e949));
+                                                                    let _e963 = select(_e961, _e959, (_e959 > _e961));
+                                                                    let _e965 = select(_e955, _e963, (_e963 > _e955));
+                                                                    let _e967 = select(_e945, _e944, (_e944 > _e945));
+                                                                    let _e969 = select(_e949, _e948, (_e948 > _e949));
+                                                                    let _e971 = select(_e969, _e967, (_e967 < _e969));
+                                                                    let _e973 = select(_e957, _e971, (_e971 < _e957));
+                                                                    let _e974 = -(_e955);
+                                                                    let _e980 = select(_e486, _e965, (_e965 > _e486));
+                                                                    if (_e980 > (_e973 + (select(_e974, _e957, (_e957 > _e974)) * 0.0000019073523f))) {
+                                                                        phi_1842_ = type_28();
+                                                                        phi_1843_ = true;
                                                                     } else {
-                                                                        let _e981 = (_e979 > _e720.member);
-                                                                        if _e981 {
-                                                                            phi_1843_ = type_28();
+                                                                        let _e982 = (_e980 > _e721.member);
+                                                                        if _e982 {
+                                                                            phi_1841_ = type_28();
                                                                         } else {
-                                                                            let _e982 = vec3<f32>(_e819[0][0], _e819[0][1], _e819[0][2]);
-                                                                            let _e983 = vec3<f32>(_e819[1][0], _e819[1][1], _e819[1][2]);
-                                                                            let _e984 = vec3<f32>(_e819[2][0], _e819[2][1], _e819[2][2]);
-                                                                            let _e985 = (_e819[1][0] - _e819[0][0]);
-                                                                            let _e986 = (_e819[1][1] - _e819[0][1]);
-                                                                            let _e987 = (_e819[1][2] - _e819[0][2]);
-                                                                            let _e988 = vec3<f32>(_e985, _e986, _e987);
-                                                                            let _e989 = (_e819[2][0] - _e819[1][0]);
-                                                                            let _e990 = (_e819[2][1] - _e819[1][1]);
-                                                                            let _e991 = (_e819[2][2] - _e819[1][2]);
-                                                                            let _e992 = vec3<f32>(_e989, _e990, _e991);
-                                                                            let _e993 = (_e819[0][0] - _e819[2][0]);
-                                                                            let _e994 = (_e819[0][1] - _e819[2][1]);
-                                                                            let _e995 = (_e819[0][2] - _e819[2][2]);
-                                                                            let _e996 = vec3<f32>(_e993, _e994, _e995);
-                                                                            let _e999 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
-                                                                            let _e1002 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
-                                                                            let _e1004 = select(_e1002, _e999, (_e999 > _e1002));
-                                                                            let _e1007 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
-                                                                            let _e1009 = select(_e1007, _e1004, (_e1004 > _e1007));
-                                                                            let _e1012 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
-                                                                            let _e1015 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
-                                                                            let _e1017 = select(_e1015, _e1012, (_e1012 > _e1015));
-                                                                            let _e1020 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
-                                                                            let _e1022 = select(_e1020, _e1017, (_e1017 > _e1020));
-                                                                            let _e1025 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
-                                                                            let _e1028 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
-                                                                            let _e1030 = select(_e1028, _e1025, (_e1025 > _e1028));
-                                                                            let _e1033 = bitcast<f32>((bitcast<u32>(_e995) & 2147483647u));
-                                                                            let _e1035 = select(_e1033, _e1030, (_e1030 > _e1033));
-                                                                            let _e1037 = select(_e1022, _e1009, (_e1009 > _e1022));
-                                                                            let _e1039 = select(_e1035, _e1037, (_e1037 > _e1035));
-                                                                            if (_e1009 == _e1039) {
-                                                                                phi_1573_ = _e846;
-                                                                                phi_1574_ = _e843;
-                                                                                phi_1575_ = _e833;
-                                                                                phi_1576_ = _e830;
-                                                                                phi_1577_ = _e982;
-                                                                                phi_1578_ = _e996;
-                                                                                phi_1579_ = _e992;
-                                                                                phi_1580_ = _e988;
+                                                                            let _e983 = vec3<f32>(_e820[0][0], _e820[0][1], _e820[0][2]);
+                                                                            let _e984 = vec3<f32>(_e820[1][0], _e820[1][1], _e820[1][2]);
+                                                                            let _e985 = vec3<f32>(_e820[2][0], _e820[2][1], _e820[2][2]);
+                                                                            let _e986 = (_e820[1][0] - _e820[0][0]);
+                                                                            let _e987 = (_e820[1][1] - _e820[0][1]);
+                                                                            let _e988 = (_e820[1][2] - _e820[0][2]);
+                                                                            let _e989 = vec3<f32>(_e986, _e987, _e988);
+                                                                            let _e990 = (_e820[2][0] - _e820[1][0]);
+                                                                            let _e991 = (_e820[2][1] - _e820[1][1]);
+                                                                            let _e992 = (_e820[2][2] - _e820[1][2]);
+                                                                            let _e993 = vec3<f32>(_e990, _e991, _e992);
+                                                                            let _e994 = (_e820[0][0] - _e820[2][0]);
+                                                                            let _e995 = (_e820[0][1] - _e820[2][1]);
+                                                                            let _e996 = (_e820[0][2] - _e820[2][2]);
+                                                                            let _e997 = vec3<f32>(_e994, _e995, _e996);
+                                                                            let _e1000 = bitcast<f32>((bitcast<u32>(_e986) & 2147483647u));
+                                                                            let _e1003 = bitcast<f32>((bitcast<u32>(_e987) & 2147483647u));
+                                                                            let _e1005 = select(_e1003, _e1000, (_e1000 > _e1003));
+                                                                            let _e1008 = bitcast<f32>((bitcast<u32>(_e988) & 2147483647u));
+                                                                            let _e1010 = select(_e1008, _e1005, (_e1005 > _e1008));
+                                                                            let _e1013 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                            let _e1016 = bitcast<f32>((bitcast<u32>(_e991) & 2147483647u));
+                                                                            let _e1018 = select(_e1016, _e1013, (_e1013 > _e1016));
+                                                                            let _e1021 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
+                                                                            let _e1023 = select(_e1021, _e1018, (_e1018 > _e1021));
+                                                                            let _e1026 = bitcast<f32>((bitcast<u32>(_e994) & 2147483647u));
+                                                                            let _e1029 = bitcast<f32>((bitcast<u32>(_e995) & 2147483647u));
+                                                                            let _e1031 = select(_e1029, _e1026, (_e1026 > _e1029));
+                                                                            let _e1034 = bitcast<f32>((bitcast<u32>(_e996) & 2147483647u));
+                                                                            let _e1036 = select(_e1034, _e1031, (_e1031 > _e1034));
+                                                                            let _e1038 = select(_e1023, _e1010, (_e1010 > _e1023));
+                                                                            let _e1040 = select(_e1036, _e1038, (_e1038 > _e1036));
+                                                                            if (_e1010 == _e1040) {
+                                                                                phi_1574_ = _e847;
+                                                                                phi_1575_ = _e844;
+                                                                                phi_1576_ = _e834;
+                                                                                phi_1577_ = _e831;
+                                                                                phi_1578_ = _e983;
+                                                                                phi_1579_ = _e997;
+                                                                                phi_1580_ = _e993;
+                                                                                phi_1581_ = _e989;
                                                                             } else {
-                                                                                let _e1041 = (_e1022 == _e1039);
-                                                                                let _e1046 = vec3(_e1041);
-                                                                                phi_1573_ = select(_e833, _e859, _e1041);
-                                                                                phi_1574_ = select(_e830, _e856, _e1041);
-                                                                                phi_1575_ = select(_e859, _e846, _e1041);
-                                                                                phi_1576_ = select(_e856, _e843, _e1041);
-                                                                                phi_1577_ = select(_e984, _e983, _e1046);
-                                                                                phi_1578_ = select(_e992, _e988, _e1046);
-                                                                                phi_1579_ = select(_e988, _e996, _e1046);
-                                                                                phi_1580_ = select(_e996, _e992, _e1046);
+                                                                                let _e1042 = (_e1023 == _e1040);
+                                                                                let _e1047 = vec3(_e1042);
+                                                                                phi_1574_ = select(_e834, _e860, _e1042);
+                                                                                phi_1575_ = select(_e831, _e857, _e1042);
+                                                                                phi_1576_ = select(_e860, _e847, _e1042);
+                                                                                phi_1577_ = select(_e857, _e844, _e1042);
+                                                                                phi_1578_ = select(_e985, _e984, _e1047);
+                                                                                phi_1579_ = select(_e993, _e989, _e1047);
+                                                                                phi_1580_ = select(_e989, _e997, _e1047);
+                                                                                phi_1581_ = select(_e997, _e993, _e1047);
                                                                             }
-                                                                            let _e1052 = phi_1573_;
-                                                                            let _e1054 = phi_1574_;
-                                                                            let _e1056 = phi_1575_;
-                                                                            let _e1058 = phi_1576_;
-                                                                            let _e1060 = phi_1577_;
-                                                                            let _e1062 = phi_1578_;
-                                                                            let _e1064 = phi_1579_;
-                                                                            let _e1066 = phi_1580_;
-                                                                            let _e1073 = ((_e1064.y * _e1062.z) - (_e1062.y * _e1064.z));
-                                                                            let _e1078 = ((_e1064.z * _e1062.x) - (_e1062.z * _e1064.x));
-                                                                            let _e1081 = ((_e1064.x * _e1062.y) - (_e1062.x * _e1064.y));
-                                                                            if (_e881 >= _e885) {
-                                                                                phi_1611_ = select(true, false, (_e881 >= _e889));
+                                                                            let _e1053 = phi_1574_;
+                                                                            let _e1055 = phi_1575_;
+                                                                            let _e1057 = phi_1576_;
+                                                                            let _e1059 = phi_1577_;
+                                                                            let _e1061 = phi_1578_;
+                                                                            let _e1063 = phi_1579_;
+                                                                            let _e1065 = phi_1580_;
+                                                                            let _e1067 = phi_1581_;
+                                                                            let _e1074 = ((_e1065.y * _e1063.z) - (_e1063.y * _e1065.z));
+                                                                            let _e1079 = ((_e1065.z * _e1063.x) - (_e1063.z * _e1065.x));
+                                                                            let _e1082 = ((_e1065.x * _e1063.y) - (_e1063.x * _e1065.y));
+                                                                            if (_e882 >= _e886) {
+                                                                                phi_1612_ = select(true, false, (_e882 >= _e890));
                                                                             } else {
-                                                                                phi_1611_ = true;
+                                                                                phi_1612_ = true;
                                                                             }
-                                                                            let _e1086 = phi_1611_;
-                                                                            if _e1086 {
-                                                                                phi_1620_ = select(_e984, _e983, vec3((_e885 >= _e889)));
+                                                                            let _e1087 = phi_1612_;
+                                                                            if _e1087 {
+                                                                                phi_1621_ = select(_e985, _e984, vec3((_e886 >= _e890)));
                                                                             } else {
-                                                                                phi_1620_ = _e982;
+                                                                                phi_1621_ = _e983;
                                                                             }
-                                                                            let _e1091 = phi_1620_;
-                                                                            let _e1096 = (((_e1073 * _e364) + (_e1078 * _e400)) + (_e1081 * _e436));
-                                                                            let _e1107 = (((_e1073 * (_e1091.x - _e339)) + (_e1078 * (_e1091.y - _e376))) + (_e1081 * (_e1091.z - _e412)));
-                                                                            let _e1109 = (_e1054 - _e1058);
-                                                                            let _e1110 = (_e1052 - _e1056);
-                                                                            let _e1118 = (-(((_e1058 * _e1109) + (_e1056 * _e1110))) / ((_e1109 * _e1109) + (_e1110 * _e1110)));
+                                                                            let _e1092 = phi_1621_;
+                                                                            let _e1103 = (((_e1074 * (_e1092.x - _e340)) + (_e1079 * (_e1092.y - _e377))) + (_e1082 * (_e1092.z - _e413)));
+                                                                            let _e1108 = (((_e1074 * _e365) + (_e1079 * _e401)) + (_e1082 * _e437));
+                                                                            let _e1109 = (_e1055 - _e1059);
+                                                                            let _e1110 = (_e1053 - _e1057);
+                                                                            let _e1118 = (-(((_e1059 * _e1109) + (_e1057 * _e1110))) / ((_e1109 * _e1109) + (_e1110 * _e1110)));
                                                                             let _e1120 = select(1f, _e1118, (_e1118 < 1f));
                                                                             let _e1122 = select(0f, _e1120, (_e1120 > 0f));
-                                                                            let _e1135 = ((_e1060.x + (_e1066.x * _e1122)) - _e339);
-                                                                            let _e1136 = ((_e1060.y + (_e1066.y * _e1122)) - _e376);
-                                                                            let _e1137 = ((_e1060.z + (_e1066.z * _e1122)) - _e412);
-                                                                            let _e1138 = (_e1137 / _e436);
+                                                                            let _e1135 = ((_e1061.x + (_e1067.x * _e1122)) - _e340);
+                                                                            let _e1136 = ((_e1061.y + (_e1067.y * _e1122)) - _e377);
+                                                                            let _e1137 = ((_e1061.z + (_e1067.z * _e1122)) - _e413);
+                                                                            let _e1138 = (_e1137 / _e437);
                                                                             let _e1150 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
                                                                             let _e1153 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
                                                                             let _e1155 = select(_e1153, _e1150, (_e1150 > _e1153));
                                                                             let _e1158 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
                                                                             let _e1160 = select(_e1158, _e1155, (_e1155 > _e1158));
-                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u));
-                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1078) & 2147483647u));
+                                                                            let _e1166 = bitcast<f32>((bitcast<u32>(_e1074) & 2147483647u));
+                                                                            let _e1169 = bitcast<f32>((bitcast<u32>(_e1079) & 2147483647u));
                                                                             let _e1171 = select(_e1169, _e1166, (_e1166 > _e1169));
-                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1081) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1073 * _e1135) + (_e1078 * _e1136)) + (_e1081 * _e1137)) - _e1107)) & 2147483647u)) <= ((0.0000009536743f * select(_e1039, _e1160, (_e1160 > _e1039))) * select(_e1174, _e1171, (_e1171 > _e1174)))) {
-                                                                                let _e1184 = bitcast<f32>((bitcast<u32>(_e1064.x) & 2147483647u));
-                                                                                let _e1187 = bitcast<f32>((bitcast<u32>(_e1064.y) & 2147483647u));
+                                                                            let _e1174 = bitcast<f32>((bitcast<u32>(_e1082) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1074 * _e1135) + (_e1079 * _e1136)) + (_e1082 * _e1137)) - _e1103)) & 2147483647u)) <= ((0.0000009536743f * select(_e1040, _e1160, (_e1160 > _e1040))) * select(_e1174, _e1171, (_e1171 > _e1174)))) {
+                                                                                let _e1184 = bitcast<f32>((bitcast<u32>(_e1065.x) & 2147483647u));
+                                                                                let _e1187 = bitcast<f32>((bitcast<u32>(_e1065.y) & 2147483647u));
                                                                                 let _e1189 = select(_e1187, _e1184, (_e1184 > _e1187));
-                                                                                let _e1192 = bitcast<f32>((bitcast<u32>(_e1064.z) & 2147483647u));
-                                                                                let _e1198 = bitcast<f32>((bitcast<u32>(_e1062.x) & 2147483647u));
-                                                                                let _e1201 = bitcast<f32>((bitcast<u32>(_e1062.y) & 2147483647u));
+                                                                                let _e1192 = bitcast<f32>((bitcast<u32>(_e1065.z) & 2147483647u));
+                                                                                let _e1198 = bitcast<f32>((bitcast<u32>(_e1063.x) & 2147483647u));
+                                                                                let _e1201 = bitcast<f32>((bitcast<u32>(_e1063.y) & 2147483647u));
                                                                                 let _e1203 = select(_e1201, _e1198, (_e1198 > _e1201));
-                                                                                let _e1206 = bitcast<f32>((bitcast<u32>(_e1062.z) & 2147483647u));
-                                                                                phi_1787_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1096) & 2147483647u)) > ((0.0000038146973f * select(_e1192, _e1189, (_e1189 > _e1192))) * select(_e1206, _e1203, (_e1203 > _e1206)))));
-                                                                            } else {
-                                                                                phi_1787_ = true;
-                                                                            }
-                                                                            let _e1213 = phi_1787_;
-                                                                            if _e1213 {
-                                                                                let _e1224 = ((((_e1073 * (_e1135 - (_e364 * _e1138))) + (_e1078 * (_e1136 - (_e400 * _e1138)))) + (_e1081 * (_e1137 - _e1137))) / _e1096);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) <= _e1039) {
-                                                                                    phi_1811_ = (_e1138 + _e1224);
+                                                                                let _e1206 = bitcast<f32>((bitcast<u32>(_e1063.z) & 2147483647u));
+                                                                                let _e1210 = (bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u)) > ((0.0000038146973f * select(_e1192, _e1189, (_e1189 > _e1192))) * select(_e1206, _e1203, (_e1203 > _e1206))));
+                                                                                if _e1210 {
+                                                                                    phi_1786_ = (_e1103 / _e1108);
                                                                                 } else {
-                                                                                    phi_1811_ = _e1138;
+                                                                                    phi_1786_ = f32();
                                                                                 }
-                                                                                let _e1231 = phi_1811_;
-                                                                                phi_1812_ = _e1231;
+                                                                                let _e1213 = phi_1786_;
+                                                                                phi_1788_ = _e1213;
+                                                                                phi_1789_ = select(true, false, _e1210);
                                                                             } else {
-                                                                                phi_1812_ = (_e1107 / _e1096);
+                                                                                phi_1788_ = f32();
+                                                                                phi_1789_ = true;
                                                                             }
-                                                                            let _e1233 = phi_1812_;
-                                                                            let _e1235 = select(_e972, _e1233, (_e1233 < _e972));
-                                                                            let _e1237 = select(_e964, _e1235, (_e1235 > _e964));
-                                                                            if (_e1237 >= _e485) {
-                                                                                let _e1239 = (_e1237 <= _e720.member);
-                                                                                if _e1239 {
-                                                                                    let _e1240 = (1f / _e891);
-                                                                                    phi_1835_ = type_28(_e1237, (_e885 * _e1240), (_e889 * _e1240), _e749);
+                                                                            let _e1216 = phi_1788_;
+                                                                            let _e1218 = phi_1789_;
+                                                                            if _e1218 {
+                                                                                let _e1226 = (((_e1074 * (_e1135 - (_e365 * _e1138))) + (_e1079 * (_e1136 - (_e401 * _e1138)))) / _e1108);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u)) <= _e1040) {
+                                                                                    phi_1809_ = (_e1138 + _e1226);
                                                                                 } else {
-                                                                                    phi_1835_ = type_28();
+                                                                                    phi_1809_ = _e1138;
                                                                                 }
-                                                                                let _e1245 = phi_1835_;
-                                                                                phi_1837_ = _e1245;
-                                                                                phi_1838_ = select(true, false, _e1239);
+                                                                                let _e1233 = phi_1809_;
+                                                                                phi_1810_ = _e1233;
                                                                             } else {
-                                                                                phi_1837_ = type_28();
-                                                                                phi_1838_ = true;
+                                                                                phi_1810_ = _e1216;
                                                                             }
-                                                                            let _e1248 = phi_1837_;
-                                                                            let _e1250 = phi_1838_;
-                                                                            if _e1250 {
-                                                                                phi_1842_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1235 = phi_1810_;
+                                                                            let _e1237 = select(_e973, _e1235, (_e1235 < _e973));
+                                                                            let _e1239 = select(_e965, _e1237, (_e1237 > _e965));
+                                                                            if (_e1239 >= _e486) {
+                                                                                let _e1241 = (_e1239 <= _e721.member);
+                                                                                if _e1241 {
+                                                                                    let _e1242 = (1f / _e892);
+                                                                                    phi_1833_ = type_28(_e1239, (_e886 * _e1242), (_e890 * _e1242), _e750);
+                                                                                } else {
+                                                                                    phi_1833_ = type_28();
+                                                                                }
+                                                                                let _e1247 = phi_1833_;
+                                                                                phi_1835_ = _e1247;
+                                                                                phi_1836_ = select(true, false, _e1241);
                                                                             } else {
-                                                                                phi_1842_ = _e1248;
+                                                                                phi_1835_ = type_28();
+                                                                                phi_1836_ = true;
                                                                             }
-                                                                            let _e1252 = phi_1842_;
-                                                                            phi_1843_ = _e1252;
+                                                                            let _e1250 = phi_1835_;
+                                                                            let _e1252 = phi_1836_;
+                                                                            if _e1252 {
+                                                                                phi_1840_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_1840_ = _e1250;
+                                                                            }
+                                                                            let _e1254 = phi_1840_;
+                                                                            phi_1841_ = _e1254;
                                                                         }
-                                                                        let _e1254 = phi_1843_;
-                                                                        phi_1844_ = _e1254;
-                                                                        phi_1845_ = _e981;
+                                                                        let _e1256 = phi_1841_;
+                                                                        phi_1842_ = _e1256;
+                                                                        phi_1843_ = _e982;
                                                                     }
-                                                                    let _e1256 = phi_1844_;
-                                                                    let _e1258 = phi_1845_;
-                                                                    phi_1849_ = _e1256;
-                                                                    phi_1850_ = _e1258;
+                                                                    let _e1258 = phi_1842_;
+                                                                    let _e1260 = phi_1843_;
+                                                                    phi_1847_ = _e1258;
+                                                                    phi_1848_ = _e1260;
                                                                 }
-                                                                let _e1260 = phi_1849_;
-                                                                let _e1262 = phi_1850_;
-                                                                phi_1851_ = _e1260;
-                                                                phi_1852_ = _e916;
-                                                                phi_1853_ = _e1262;
+                                                                let _e1262 = phi_1847_;
+                                                                let _e1264 = phi_1848_;
+                                                                phi_1849_ = _e1262;
+                                                                phi_1850_ = _e917;
+                                                                phi_1851_ = _e1264;
                                                             }
-                                                            let _e1264 = phi_1851_;
-                                                            let _e1266 = phi_1852_;
-                                                            let _e1268 = phi_1853_;
-                                                            phi_1854_ = _e1264;
-                                                            phi_1855_ = _e1266;
-                                                            phi_1856_ = _e1268;
+                                                            let _e1266 = phi_1849_;
+                                                            let _e1268 = phi_1850_;
+                                                            let _e1270 = phi_1851_;
+                                                            phi_1852_ = _e1266;
+                                                            phi_1853_ = _e1268;
+                                                            phi_1854_ = _e1270;
                                                         }
-                                                        let _e1270 = phi_1854_;
-                                                        let _e1272 = phi_1855_;
-                                                        let _e1274 = phi_1856_;
-                                                        phi_1864_ = _e1270;
-                                                        phi_1865_ = select(_e1274, true, _e1272);
+                                                        let _e1272 = phi_1852_;
+                                                        let _e1274 = phi_1853_;
+                                                        let _e1276 = phi_1854_;
+                                                        phi_1862_ = _e1272;
+                                                        phi_1863_ = select(_e1276, true, _e1274);
                                                     } else {
-                                                        phi_1864_ = type_28();
-                                                        phi_1865_ = true;
+                                                        phi_1862_ = type_28();
+                                                        phi_1863_ = true;
                                                     }
-                                                    let _e1277 = phi_1864_;
-                                                    let _e1279 = phi_1865_;
-                                                    if _e1279 {
-                                                        phi_1869_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1279 = phi_1862_;
+                                                    let _e1281 = phi_1863_;
+                                                    if _e1281 {
+                                                        phi_1867_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1869_ = _e1277;
+                                                        phi_1867_ = _e1279;
                                                     }
-                                                    let _e1281 = phi_1869_;
-                                                    if (_e1281.member_3 != 4294967295u) {
-                                                        if (_e749 == _e102) {
-                                                            phi_2198_ = false;
+                                                    let _e1283 = phi_1867_;
+                                                    if (_e1283.member_3 != 4294967295u) {
+                                                        if (_e750 == _e103) {
+                                                            phi_2196_ = false;
                                                         } else {
-                                                            let _e1285 = (_e749 < arrayLength((&global_5.member)));
-                                                            if _e1285 {
-                                                                if _e1285 {
+                                                            let _e1287 = (_e750 < arrayLength((&global_5.member)));
+                                                            if _e1287 {
+                                                                if _e1287 {
                                                                 } else {
-                                                                    phi_2741_ = true;
+                                                                    phi_2739_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1287 = global_5.member[_e749];
-                                                                phi_1892_ = _e1287;
+                                                                let _e1289 = global_5.member[_e750];
+                                                                phi_1890_ = _e1289;
                                                             } else {
-                                                                phi_1892_ = 4294967295u;
+                                                                phi_1890_ = 4294967295u;
                                                             }
-                                                            let _e1289 = phi_1892_;
-                                                            let _e1290 = (_e1289 < arrayLength((&global_6.member)));
-                                                            if _e1290 {
-                                                                if _e1290 {
+                                                            let _e1291 = phi_1890_;
+                                                            let _e1292 = (_e1291 < arrayLength((&global_6.member)));
+                                                            if _e1292 {
+                                                                if _e1292 {
                                                                 } else {
-                                                                    phi_2741_ = true;
+                                                                    phi_2739_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1292 = global_6.member[_e1289];
-                                                                phi_1906_ = _e1292;
+                                                                let _e1294 = global_6.member[_e1291];
+                                                                phi_1904_ = _e1294;
                                                             } else {
-                                                                phi_1906_ = 0i;
+                                                                phi_1904_ = 0i;
                                                             }
-                                                            let _e1294 = phi_1906_;
-                                                            let _e1295 = (_e1294 == 0i);
-                                                            if _e1295 {
-                                                                phi_2197_ = true;
+                                                            let _e1296 = phi_1904_;
+                                                            let _e1297 = (_e1296 == 0i);
+                                                            if _e1297 {
+                                                                phi_2195_ = true;
                                                             } else {
-                                                                if _e331 {
-                                                                    phi_1927_ = vec3<f32>(_e819[0][0], _e819[0][1], _e819[0][2]);
+                                                                if _e332 {
+                                                                    phi_1925_ = vec3<f32>(_e820[0][0], _e820[0][1], _e820[0][2]);
                                                                 } else {
-                                                                    if (_e307 == 1u) {
-                                                                        phi_1926_ = vec3<f32>(_e819[0][2], _e819[0][0], _e819[0][1]);
+                                                                    if (_e308 == 1u) {
+                                                                        phi_1924_ = vec3<f32>(_e820[0][2], _e820[0][0], _e820[0][1]);
                                                                     } else {
-                                                                        phi_1926_ = vec3<f32>(_e819[0][1], _e819[0][2], _e819[0][0]);
+                                                                        phi_1924_ = vec3<f32>(_e820[0][1], _e820[0][2], _e820[0][0]);
                                                                     }
-                                                                    let _e1300 = phi_1926_;
-                                                                    phi_1927_ = _e1300;
+                                                                    let _e1302 = phi_1924_;
+                                                                    phi_1925_ = _e1302;
                                                                 }
-                                                                let _e1303 = phi_1927_;
-                                                                if _e331 {
-                                                                    phi_1944_ = vec3<f32>(_e819[1][0], _e819[1][1], _e819[1][2]);
+                                                                let _e1305 = phi_1925_;
+                                                                if _e332 {
+                                                                    phi_1942_ = vec3<f32>(_e820[1][0], _e820[1][1], _e820[1][2]);
                                                                 } else {
-                                                                    if (_e307 == 1u) {
-                                                                        phi_1943_ = vec3<f32>(_e819[1][2], _e819[1][0], _e819[1][1]);
+                                                                    if (_e308 == 1u) {
+                                                                        phi_1941_ = vec3<f32>(_e820[1][2], _e820[1][0], _e820[1][1]);
                                                                     } else {
-                                                                        phi_1943_ = vec3<f32>(_e819[1][1], _e819[1][2], _e819[1][0]);
+                                                                        phi_1941_ = vec3<f32>(_e820[1][1], _e820[1][2], _e820[1][0]);
                                                                     }
-                                                                    let _e1308 = phi_1943_;
-                                                                    phi_1944_ = _e1308;
+                                                                    let _e1310 = phi_1941_;
+                                                                    phi_1942_ = _e1310;
                                                                 }
-                                                                let _e1311 = phi_1944_;
-                                                                if _e331 {
-                                                                    phi_1961_ = vec3<f32>(_e819[2][0], _e819[2][1], _e819[2][2]);
+                                                                let _e1313 = phi_1942_;
+                                                                if _e332 {
+                                                                    phi_1959_ = vec3<f32>(_e820[2][0], _e820[2][1], _e820[2][2]);
                                                                 } else {
-                                                                    if (_e307 == 1u) {
-                                                                        phi_1960_ = vec3<f32>(_e819[2][2], _e819[2][0], _e819[2][1]);
+                                                                    if (_e308 == 1u) {
+                                                                        phi_1958_ = vec3<f32>(_e820[2][2], _e820[2][0], _e820[2][1]);
                                                                     } else {
-                                                                        phi_1960_ = vec3<f32>(_e819[2][1], _e819[2][2], _e819[2][0]);
+                                                                        phi_1958_ = vec3<f32>(_e820[2][1], _e820[2][2], _e820[2][0]);
                                                                     }
-                                                                    let _e1316 = phi_1960_;
-                                                                    phi_1961_ = _e1316;
+                                                                    let _e1318 = phi_1958_;
+                                                                    phi_1959_ = _e1318;
                                                                 }
-                                                                let _e1319 = phi_1961_;
-                                                                let _e1322 = (_e1311.x - _e1303.x);
-                                                                let _e1325 = (_e1311.y - _e1303.y);
-                                                                let _e1328 = (_e1311.z - _e1303.z);
-                                                                let _e1330 = (_e1319.x - _e1303.x);
-                                                                let _e1332 = (_e1319.y - _e1303.y);
-                                                                let _e1334 = (_e1319.z - _e1303.z);
-                                                                if (_e174.member_1 == 1u) {
-                                                                    phi_1997_ = (vec3<f32>(_e174.member[0], _e174.member[1], _e174.member[2]) - _e1303);
+                                                                let _e1321 = phi_1959_;
+                                                                let _e1324 = (_e1313.x - _e1305.x);
+                                                                let _e1327 = (_e1313.y - _e1305.y);
+                                                                let _e1330 = (_e1313.z - _e1305.z);
+                                                                let _e1332 = (_e1321.x - _e1305.x);
+                                                                let _e1334 = (_e1321.y - _e1305.y);
+                                                                let _e1336 = (_e1321.z - _e1305.z);
+                                                                if (_e175.member_1 == 1u) {
+                                                                    phi_1995_ = (vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]) - _e1305);
                                                                 } else {
-                                                                    phi_1997_ = vec3<f32>(_e174.member[0], _e174.member[1], _e174.member[2]);
+                                                                    phi_1995_ = vec3<f32>(_e175.member[0], _e175.member[1], _e175.member[2]);
                                                                 }
-                                                                let _e1349 = phi_1997_;
-                                                                let _e1355 = bitcast<f32>((bitcast<u32>((_e1322 * _e1332)) ^ _e174.member_3[0]));
-                                                                let _e1359 = bitcast<f32>((bitcast<u32>((_e1325 * _e1330)) ^ _e174.member_3[0]));
-                                                                let _e1363 = bitcast<f32>((bitcast<u32>((_e1325 * _e1334)) ^ _e174.member_3[0]));
-                                                                let _e1367 = bitcast<f32>((bitcast<u32>((_e1328 * _e1332)) ^ _e174.member_3[0]));
-                                                                let _e1371 = bitcast<f32>((bitcast<u32>((_e1328 * _e1330)) ^ _e174.member_3[0]));
-                                                                let _e1375 = bitcast<f32>((bitcast<u32>((_e1322 * _e1334)) ^ _e174.member_3[0]));
-                                                                let _e1376 = (_e1363 - _e1367);
-                                                                let _e1377 = (_e1371 - _e1375);
-                                                                let _e1378 = (_e1355 - _e1359);
-                                                                let _e1402 = (bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u)));
-                                                                let _e1409 = (bitcast<f32>((bitcast<u32>(_e1371) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1375) & 2147483647u)));
-                                                                let _e1416 = (bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u)));
-                                                                if (_e174.member_2 == 0f) {
-                                                                    phi_2179_ = 0f;
+                                                                let _e1351 = phi_1995_;
+                                                                let _e1357 = bitcast<f32>((bitcast<u32>((_e1324 * _e1334)) ^ _e175.member_3[0]));
+                                                                let _e1361 = bitcast<f32>((bitcast<u32>((_e1327 * _e1332)) ^ _e175.member_3[0]));
+                                                                let _e1365 = bitcast<f32>((bitcast<u32>((_e1327 * _e1336)) ^ _e175.member_3[0]));
+                                                                let _e1369 = bitcast<f32>((bitcast<u32>((_e1330 * _e1334)) ^ _e175.member_3[0]));
+                                                                let _e1373 = bitcast<f32>((bitcast<u32>((_e1330 * _e1332)) ^ _e175.member_3[0]));
+                                                                let _e1377 = bitcast<f32>((bitcast<u32>((_e1324 * _e1336)) ^ _e175.member_3[0]));
+                                                                let _e1378 = (_e1365 - _e1369);
+                                                                let _e1379 = (_e1373 - _e1377);
+                                                                let _e1380 = (_e1357 - _e1361);
+                                                                let _e1404 = (bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u)));
+                                                                let _e1411 = (bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u)));
+                                                                let _e1418 = (bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u)));
+                                                                if (_e175.member_2 == 0f) {
+                                                                    phi_2177_ = 0f;
                                                                 } else {
-                                                                    let _e1446 = bitcast<f32>((bitcast<u32>(_e1376) & 2147483647u));
-                                                                    let _e1449 = bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u));
-                                                                    let _e1452 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
-                                                                    let _e1454 = select(_e1452, _e1449, (_e1449 > _e1452));
-                                                                    let _e1458 = select(_e1452, _e1449, (_e1449 < _e1452));
-                                                                    let _e1462 = select(_e1449, _e1446, (_e1446 < _e1449));
-                                                                    let _e1464 = select(_e1449, _e1446, (_e1446 > _e1449));
-                                                                    let _e1466 = select(_e1452, _e1464, (_e1464 < _e1452));
-                                                                    phi_2179_ = bitcast<f32>((bitcast<u32>((_e174.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1454, _e1446, (_e1446 > _e1454)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1466, _e1462, (_e1462 > _e1466)))) ^ _e174.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1458, _e1446, (_e1446 < _e1458)))) ^ _e174.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1402 + _e1409) + _e1416))) ^ _e174.member_3[0]))) * 1.0000005f)) ^ _e174.member_3[0])))) ^ _e174.member_3[0]));
+                                                                    let _e1448 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
+                                                                    let _e1451 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
+                                                                    let _e1454 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
+                                                                    let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                    let _e1460 = select(_e1454, _e1451, (_e1451 < _e1454));
+                                                                    let _e1464 = select(_e1451, _e1448, (_e1448 < _e1451));
+                                                                    let _e1466 = select(_e1451, _e1448, (_e1448 > _e1451));
+                                                                    let _e1468 = select(_e1454, _e1466, (_e1466 < _e1454));
+                                                                    phi_2177_ = bitcast<f32>((bitcast<u32>((_e175.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1456, _e1448, (_e1448 > _e1456)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1468, _e1464, (_e1464 > _e1468)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1460, _e1448, (_e1448 < _e1460)))) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1404 + _e1411) + _e1418))) ^ _e175.member_3[0]))) * 1.0000005f)) ^ _e175.member_3[0])))) ^ _e175.member_3[0]));
                                                                 }
-                                                                let _e1493 = phi_2179_;
-                                                                phi_2197_ = (_e1295 || !(((((bitcast<f32>((bitcast<u32>((_e1349.x * _e1376)) ^ _e174.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1349.y * _e1377)) ^ _e174.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1349.z * _e1378)) ^ _e174.member_3[0]))) * f32(-(_e1294))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1349.x) & 2147483647u)) * _e1402)) ^ _e174.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1349.y) & 2147483647u)) * _e1409)) ^ _e174.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1349.z) & 2147483647u)) * _e1416)) ^ _e174.member_3[0]))))) ^ _e174.member_3[0])) + _e1493) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1495 = phi_2177_;
+                                                                phi_2195_ = (_e1297 || !(((((bitcast<f32>((bitcast<u32>((_e1351.x * _e1378)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1351.y * _e1379)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1351.z * _e1380)) ^ _e175.member_3[0]))) * f32(-(_e1296))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.x) & 2147483647u)) * _e1404)) ^ _e175.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.y) & 2147483647u)) * _e1411)) ^ _e175.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1351.z) & 2147483647u)) * _e1418)) ^ _e175.member_3[0]))))) ^ _e175.member_3[0])) + _e1495) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1507 = phi_2197_;
-                                                            phi_2198_ = _e1507;
+                                                            let _e1509 = phi_2195_;
+                                                            phi_2196_ = _e1509;
                                                         }
-                                                        let _e1509 = phi_2198_;
-                                                        if _e1509 {
-                                                            phi_2203_ = type_55(_e720.member, true);
+                                                        let _e1511 = phi_2196_;
+                                                        if _e1511 {
+                                                            phi_2201_ = type_55(_e721.member, true);
                                                         } else {
-                                                            phi_2203_ = _e720;
+                                                            phi_2201_ = _e721;
                                                         }
-                                                        let _e1514 = phi_2203_;
-                                                        phi_2204_ = _e1514;
+                                                        let _e1516 = phi_2201_;
+                                                        phi_2202_ = _e1516;
                                                     } else {
-                                                        phi_2204_ = _e720;
+                                                        phi_2202_ = _e721;
                                                     }
-                                                    let _e1516 = phi_2204_;
-                                                    phi_891_ = _e1516;
+                                                    let _e1518 = phi_2202_;
+                                                    phi_892_ = _e1518;
                                                 } else {
-                                                    phi_891_ = type_55();
+                                                    phi_892_ = type_55();
                                                 }
-                                                let _e1518 = phi_891_;
+                                                let _e1520 = phi_892_;
                                                 continue;
                                                 continuing {
-                                                    phi_890_ = _e1518;
-                                                    phi_893_ = _e735;
-                                                    phi_2741_ = _e493;
-                                                    break if !(_e741);
+                                                    phi_891_ = _e1520;
+                                                    phi_894_ = _e736;
+                                                    phi_2739_ = _e494;
+                                                    break if !(_e742);
                                                 }
                                             }
-                                            let _e1521 = phi_2741_;
-                                            phi_2907_ = _e1521;
-                                            if _e1521 {
+                                            let _e1523 = phi_2739_;
+                                            phi_2905_ = _e1523;
+                                            if _e1523 {
                                                 break;
                                             }
-                                            let _e1523 = local_2;
-                                            phi_2911_ = _e1521;
-                                            let _e1720 = local_4;
-                                            phi_2660_ = _e1720;
-                                            phi_2661_ = _e518;
-                                            phi_2662_ = false;
-                                            phi_2663_ = select(_e522, 0u, _e1523.member_1);
+                                            let _e1525 = local_2;
+                                            phi_2909_ = _e1523;
+                                            let _e1724 = local_4;
+                                            phi_2658_ = _e1724;
+                                            phi_2659_ = _e519;
+                                            phi_2660_ = false;
+                                            phi_2661_ = select(_e523, 0u, _e1525.member_1);
                                         } else {
-                                            if (_e518 >= _e77) {
-                                                phi_2265_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e519 >= _e78) {
+                                                phi_2263_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e518 < _e77) {
+                                                if (_e519 < _e78) {
                                                 } else {
-                                                    phi_2907_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e532 = (_e307 % 3u);
-                                                if (_e532 < 3u) {
+                                                let _e533 = (_e308 % 3u);
+                                                if (_e533 < 3u) {
                                                 } else {
-                                                    phi_2907_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e538 = global_4.member[_e518].member[_e532];
-                                                let _e544 = (_e306 % 3u);
-                                                if (_e544 < 3u) {
+                                                let _e539 = global_4.member[_e519].member[_e533];
+                                                let _e545 = (_e307 % 3u);
+                                                if (_e545 < 3u) {
                                                 } else {
-                                                    phi_2907_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e550 = global_4.member[_e518].member[_e544];
-                                                let _e556 = (_e308 % 3u);
-                                                if (_e556 < 3u) {
+                                                let _e551 = global_4.member[_e519].member[_e545];
+                                                let _e557 = (_e309 % 3u);
+                                                if (_e557 < 3u) {
                                                 } else {
-                                                    phi_2907_ = true;
+                                                    phi_2905_ = true;
                                                     break;
                                                 }
-                                                let _e562 = global_4.member[_e518].member[_e556];
-                                                let _e572 = global_4.member[_e518].member_1;
-                                                let _e576 = global_4.member[_e518].member_2;
-                                                phi_2265_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e538[0], _e538[1], _e538[2], _e538[3]), vec4<f32>(_e550[0], _e550[1], _e550[2], _e550[3]), vec4<f32>(_e562[0], _e562[1], _e562[2], _e562[3])), _e572, _e576);
+                                                let _e563 = global_4.member[_e519].member[_e557];
+                                                let _e573 = global_4.member[_e519].member_1;
+                                                let _e577 = global_4.member[_e519].member_2;
+                                                phi_2263_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e539[0], _e539[1], _e539[2], _e539[3]), vec4<f32>(_e551[0], _e551[1], _e551[2], _e551[3]), vec4<f32>(_e563[0], _e563[1], _e563[2], _e563[3])), _e573, _e577);
                                             }
-                                            let _e579 = phi_2265_;
-                                            let _e591 = ((_e579.member[0].x - _e362) * _e367);
-                                            let _e592 = ((_e579.member[0].y - _e362) * _e367);
-                                            let _e593 = ((_e579.member[0].z - _e363) * _e367);
-                                            let _e594 = ((_e579.member[0].w - _e363) * _e367);
-                                            let _e604 = ((_e579.member[1].x - _e398) * _e403);
-                                            let _e605 = ((_e579.member[1].y - _e398) * _e403);
-                                            let _e606 = ((_e579.member[1].z - _e399) * _e403);
-                                            let _e607 = ((_e579.member[1].w - _e399) * _e403);
-                                            let _e617 = ((_e579.member[2].x - _e434) * _e439);
-                                            let _e618 = ((_e579.member[2].y - _e434) * _e439);
-                                            let _e619 = ((_e579.member[2].z - _e435) * _e439);
-                                            let _e620 = ((_e579.member[2].w - _e435) * _e439);
-                                            let _e622 = select(_e619, _e617, (_e617 < _e619));
-                                            let _e624 = select(_e620, _e618, (_e618 < _e620));
-                                            let _e626 = select(_e619, _e617, (_e617 > _e619));
-                                            let _e628 = select(_e620, _e618, (_e618 > _e620));
-                                            let _e630 = select(_e593, _e591, (_e591 < _e593));
-                                            let _e632 = select(_e594, _e592, (_e592 < _e594));
-                                            let _e634 = select(_e606, _e604, (_e604 < _e606));
-                                            let _e636 = select(_e607, _e605, (_e605 < _e607));
-                                            let _e638 = select(_e634, _e630, (_e630 > _e634));
-                                            let _e640 = select(_e636, _e632, (_e632 > _e636));
-                                            let _e642 = select(_e622, _e638, (_e638 > _e622));
-                                            let _e644 = select(_e624, _e640, (_e640 > _e624));
-                                            let _e646 = select(_e593, _e591, (_e591 > _e593));
-                                            let _e648 = select(_e594, _e592, (_e592 > _e594));
-                                            let _e650 = select(_e606, _e604, (_e604 > _e606));
-                                            let _e652 = select(_e607, _e605, (_e605 > _e607));
-                                            let _e654 = select(_e650, _e646, (_e646 < _e650));
-                                            let _e656 = select(_e652, _e648, (_e648 < _e652));
-                                            let _e661 = -(_e622);
-                                            let _e662 = -(_e624);
-                                            let _e669 = (select(_e626, _e654, (_e654 < _e626)) + (select(_e661, _e626, (_e626 > _e661)) * 0.0000019073523f));
-                                            let _e670 = (select(_e628, _e656, (_e656 < _e628)) + (select(_e662, _e628, (_e628 > _e662)) * 0.0000019073523f));
-                                            let _e672 = select(_e485, _e642, (_e642 > _e485));
-                                            let _e674 = select(_e485, _e644, (_e644 > _e485));
-                                            let _e679 = (_e672 <= select(_e495.member, _e669, (_e669 < _e495.member)));
-                                            let _e680 = (_e674 <= select(_e495.member, _e670, (_e670 < _e495.member)));
-                                            let _e681 = (_e672 <= _e674);
-                                            if _e679 {
+                                            let _e580 = phi_2263_;
+                                            let _e592 = ((_e580.member[0].x - _e363) * _e368);
+                                            let _e593 = ((_e580.member[0].y - _e363) * _e368);
+                                            let _e594 = ((_e580.member[0].z - _e364) * _e368);
+                                            let _e595 = ((_e580.member[0].w - _e364) * _e368);
+                                            let _e605 = ((_e580.member[1].x - _e399) * _e404);
+                                            let _e606 = ((_e580.member[1].y - _e399) * _e404);
+                                            let _e607 = ((_e580.member[1].z - _e400) * _e404);
+                                            let _e608 = ((_e580.member[1].w - _e400) * _e404);
+                                            let _e618 = ((_e580.member[2].x - _e435) * _e440);
+                                            let _e619 = ((_e580.member[2].y - _e435) * _e440);
+                                            let _e620 = ((_e580.member[2].z - _e436) * _e440);
+                                            let _e621 = ((_e580.member[2].w - _e436) * _e440);
+                                            let _e623 = select(_e620, _e618, (_e618 < _e620));
+                                            let _e625 = select(_e621, _e619, (_e619 < _e621));
+                                            let _e627 = select(_e620, _e618, (_e618 > _e620));
+                                            let _e629 = select(_e621, _e619, (_e619 > _e621));
+                                            let _e631 = select(_e594, _e592, (_e592 < _e594));
+                                            let _e633 = select(_e595, _e593, (_e593 < _e595));
+                                            let _e635 = select(_e607, _e605, (_e605 < _e607));
+                                            let _e637 = select(_e608, _e606, (_e606 < _e608));
+                                            let _e639 = select(_e635, _e631, (_e631 > _e635));
+                                            let _e641 = select(_e637, _e633, (_e633 > _e637));
+                                            let _e643 = select(_e623, _e639, (_e639 > _e623));
+                                            let _e645 = select(_e625, _e641, (_e641 > _e625));
+                                            let _e647 = select(_e594, _e592, (_e592 > _e594));
+                                            let _e649 = select(_e595, _e593, (_e593 > _e595));
+                                            let _e651 = select(_e607, _e605, (_e605 > _e607));
+                                            let _e653 = select(_e608, _e606, (_e606 > _e608));
+                                            let _e655 = select(_e651, _e647, (_e647 < _e651));
+                                            let _e657 = select(_e653, _e649, (_e649 < _e653));
+                                            let _e662 = -(_e623);
+                                            let _e663 = -(_e625);
+                                            let _e670 = (select(_e627, _e655, (_e655 < _e627)) + (select(_e662, _e627, (_e627 > _e662)) * 0.0000019073523f));
+                                            let _e671 = (select(_e629, _e657, (_e657 < _e629)) + (select(_e663, _e629, (_e629 > _e663)) * 0.0000019073523f));
+                                            let _e673 = select(_e486, _e643, (_e643 > _e486));
+                                            let _e675 = select(_e486, _e645, (_e645 > _e486));
+                                            let _e680 = (_e673 <= select(_e496.member, _e670, (_e670 < _e496.member)));
+                                            let _e681 = (_e675 <= select(_e496.member, _e671, (_e671 < _e496.member)));
+                                            let _e682 = (_e673 <= _e675);
+                                            if _e680 {
+                                                if _e681 {
+                                                    if _e682 {
+                                                        phi_2607_ = _e580.member_2;
+                                                    } else {
+                                                        phi_2607_ = _e580.member_1;
+                                                    }
+                                                    let _e686 = phi_2607_;
+                                                    let _e689 = (_e523 % 128u);
+                                                    let _e690 = (_e689 < 128u);
+                                                    if _e690 {
+                                                    } else {
+                                                        phi_2905_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e689] = _e686;
+                                                    if _e690 {
+                                                    } else {
+                                                        phi_2905_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e689] = select(_e675, _e673, (_e673 > _e675));
+                                                    if _e682 {
+                                                        phi_2635_ = _e580.member_1;
+                                                    } else {
+                                                        phi_2635_ = _e580.member_2;
+                                                    }
+                                                    let _e697 = phi_2635_;
+                                                    phi_2636_ = _e697;
+                                                    phi_2637_ = (_e523 + 1u);
+                                                } else {
+                                                    phi_2636_ = u32();
+                                                    phi_2637_ = u32();
+                                                }
+                                                let _e699 = phi_2636_;
+                                                let _e701 = phi_2637_;
+                                                phi_2639_ = _e699;
+                                                phi_2640_ = _e701;
+                                                phi_2641_ = select(true, false, _e681);
+                                            } else {
+                                                phi_2639_ = u32();
+                                                phi_2640_ = u32();
+                                                phi_2641_ = true;
+                                            }
+                                            let _e704 = phi_2639_;
+                                            let _e706 = phi_2640_;
+                                            let _e708 = phi_2641_;
+                                            if _e708 {
                                                 if _e680 {
-                                                    if _e681 {
-                                                        phi_2609_ = _e579.member_2;
-                                                    } else {
-                                                        phi_2609_ = _e579.member_1;
-                                                    }
-                                                    let _e685 = phi_2609_;
-                                                    let _e688 = (_e522 % 128u);
-                                                    let _e689 = (_e688 < 128u);
-                                                    if _e689 {
-                                                    } else {
-                                                        phi_2907_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e688] = _e685;
-                                                    if _e689 {
-                                                    } else {
-                                                        phi_2907_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e688] = select(_e674, _e672, (_e672 > _e674));
-                                                    if _e681 {
-                                                        phi_2637_ = _e579.member_1;
-                                                    } else {
-                                                        phi_2637_ = _e579.member_2;
-                                                    }
-                                                    let _e696 = phi_2637_;
-                                                    phi_2638_ = _e696;
-                                                    phi_2639_ = (_e522 + 1u);
+                                                    phi_2650_ = _e580.member_1;
                                                 } else {
-                                                    phi_2638_ = u32();
-                                                    phi_2639_ = u32();
+                                                    phi_2650_ = _e580.member_2;
                                                 }
-                                                let _e698 = phi_2638_;
-                                                let _e700 = phi_2639_;
-                                                phi_2641_ = _e698;
-                                                phi_2642_ = _e700;
-                                                phi_2643_ = select(true, false, _e680);
+                                                let _e712 = phi_2650_;
+                                                phi_2655_ = _e712;
+                                                phi_2656_ = select(_e681, true, _e680);
                                             } else {
-                                                phi_2641_ = u32();
-                                                phi_2642_ = u32();
-                                                phi_2643_ = true;
+                                                phi_2655_ = _e704;
+                                                phi_2656_ = _e521;
                                             }
-                                            let _e703 = phi_2641_;
-                                            let _e705 = phi_2642_;
-                                            let _e707 = phi_2643_;
-                                            if _e707 {
-                                                if _e679 {
-                                                    phi_2652_ = _e579.member_1;
-                                                } else {
-                                                    phi_2652_ = _e579.member_2;
-                                                }
-                                                let _e711 = phi_2652_;
-                                                phi_2657_ = _e711;
-                                                phi_2658_ = select(_e680, true, _e679);
-                                            } else {
-                                                phi_2657_ = _e703;
-                                                phi_2658_ = _e520;
-                                            }
-                                            let _e714 = phi_2657_;
-                                            let _e716 = phi_2658_;
-                                            phi_2911_ = _e493;
-                                            phi_2660_ = _e495;
-                                            phi_2661_ = _e714;
-                                            phi_2662_ = _e716;
-                                            phi_2663_ = select(_e705, _e522, _e707);
+                                            let _e715 = phi_2655_;
+                                            let _e717 = phi_2656_;
+                                            phi_2909_ = _e494;
+                                            phi_2658_ = _e496;
+                                            phi_2659_ = _e715;
+                                            phi_2660_ = _e717;
+                                            phi_2661_ = select(_e706, _e523, _e708);
                                         }
-                                        let _e1527 = phi_2911_;
-                                        let _e1529 = phi_2660_;
-                                        let _e1531 = phi_2661_;
-                                        let _e1533 = phi_2662_;
-                                        let _e1535 = phi_2663_;
-                                        phi_2910_ = _e1527;
-                                        phi_2664_ = _e1529;
-                                        phi_2665_ = _e1531;
-                                        phi_2666_ = (_e499 - 1u);
-                                        phi_2667_ = _e1533;
-                                        phi_2668_ = _e1535;
+                                        let _e1529 = phi_2909_;
+                                        let _e1531 = phi_2658_;
+                                        let _e1533 = phi_2659_;
+                                        let _e1535 = phi_2660_;
+                                        let _e1537 = phi_2661_;
+                                        phi_2908_ = _e1529;
+                                        phi_2662_ = _e1531;
+                                        phi_2663_ = _e1533;
+                                        phi_2664_ = (_e500 - 1u);
+                                        phi_2665_ = _e1535;
+                                        phi_2666_ = _e1537;
                                     } else {
-                                        phi_2910_ = _e493;
-                                        phi_2664_ = _e495;
-                                        phi_2665_ = _e518;
-                                        phi_2666_ = _e499;
-                                        phi_2667_ = _e520;
-                                        phi_2668_ = _e522;
+                                        phi_2908_ = _e494;
+                                        phi_2662_ = _e496;
+                                        phi_2663_ = _e519;
+                                        phi_2664_ = _e500;
+                                        phi_2665_ = _e521;
+                                        phi_2666_ = _e523;
                                     }
-                                    let _e1537 = phi_2910_;
-                                    let _e1539 = phi_2664_;
-                                    let _e1541 = phi_2665_;
-                                    let _e1543 = phi_2666_;
-                                    let _e1545 = phi_2667_;
-                                    let _e1547 = phi_2668_;
-                                    phi_2909_ = _e1537;
-                                    phi_2669_ = _e1539;
-                                    phi_2670_ = _e1541;
-                                    phi_2671_ = _e1543;
-                                    phi_2672_ = _e1545;
-                                    phi_2673_ = _e1547;
+                                    let _e1539 = phi_2908_;
+                                    let _e1541 = phi_2662_;
+                                    let _e1543 = phi_2663_;
+                                    let _e1545 = phi_2664_;
+                                    let _e1547 = phi_2665_;
+                                    let _e1549 = phi_2666_;
+                                    phi_2907_ = _e1539;
+                                    phi_2667_ = _e1541;
+                                    phi_2668_ = _e1543;
+                                    phi_2669_ = _e1545;
+                                    phi_2670_ = _e1547;
+                                    phi_2671_ = _e1549;
                                 } else {
-                                    phi_2909_ = _e493;
-                                    phi_2669_ = type_55();
-                                    phi_2670_ = u32();
+                                    phi_2907_ = _e494;
+                                    phi_2667_ = type_55();
+                                    phi_2668_ = u32();
+                                    phi_2669_ = u32();
+                                    phi_2670_ = bool();
                                     phi_2671_ = u32();
-                                    phi_2672_ = bool();
-                                    phi_2673_ = u32();
                                 }
-                                let _e1549 = phi_2909_;
-                                let _e1551 = phi_2669_;
-                                let _e1553 = phi_2670_;
-                                let _e1555 = phi_2671_;
-                                let _e1557 = phi_2672_;
-                                let _e1559 = phi_2673_;
-                                phi_2908_ = _e1549;
-                                phi_822_ = _e1551;
-                                phi_825_ = _e1553;
-                                phi_827_ = _e1555;
-                                phi_829_ = _e1557;
-                                phi_831_ = _e1559;
-                                phi_2674_ = _e507;
+                                let _e1551 = phi_2907_;
+                                let _e1553 = phi_2667_;
+                                let _e1555 = phi_2668_;
+                                let _e1557 = phi_2669_;
+                                let _e1559 = phi_2670_;
+                                let _e1561 = phi_2671_;
+                                phi_2906_ = _e1551;
+                                phi_823_ = _e1553;
+                                phi_826_ = _e1555;
+                                phi_828_ = _e1557;
+                                phi_830_ = _e1559;
+                                phi_832_ = _e1561;
+                                phi_2672_ = _e508;
                             } else {
-                                phi_2908_ = _e493;
-                                phi_822_ = type_55();
-                                phi_825_ = u32();
-                                phi_827_ = u32();
-                                phi_829_ = bool();
-                                phi_831_ = u32();
-                                phi_2674_ = false;
+                                phi_2906_ = _e494;
+                                phi_823_ = type_55();
+                                phi_826_ = u32();
+                                phi_828_ = u32();
+                                phi_830_ = bool();
+                                phi_832_ = u32();
+                                phi_2672_ = false;
                             }
-                            let _e1561 = phi_2908_;
-                            let _e1563 = phi_822_;
-                            let _e1565 = phi_825_;
-                            let _e1567 = phi_827_;
-                            let _e1569 = phi_829_;
-                            let _e1571 = phi_831_;
-                            let _e1573 = phi_2674_;
+                            let _e1563 = phi_2906_;
+                            let _e1565 = phi_823_;
+                            let _e1567 = phi_826_;
+                            let _e1569 = phi_828_;
+                            let _e1571 = phi_830_;
+                            let _e1573 = phi_832_;
+                            let _e1575 = phi_2672_;
                             continue;
                             continuing {
-                                phi_2747_ = _e1561;
-                                phi_821_ = _e1563;
-                                phi_824_ = _e1565;
-                                phi_826_ = _e1567;
-                                phi_828_ = _e1569;
-                                phi_830_ = _e1571;
-                                phi_2907_ = _e1561;
-                                break if !(_e1573);
+                                phi_2745_ = _e1563;
+                                phi_822_ = _e1565;
+                                phi_825_ = _e1567;
+                                phi_827_ = _e1569;
+                                phi_829_ = _e1571;
+                                phi_831_ = _e1573;
+                                phi_2905_ = _e1563;
+                                break if !(_e1575);
                             }
                         }
-                        let _e1576 = phi_2907_;
-                        if _e1576 {
+                        let _e1578 = phi_2905_;
+                        if _e1578 {
                             break;
                         }
-                        let _e1578 = local_3;
-                        if _e1578.member_1 {
+                        let _e1580 = local_3;
+                        if _e1580.member_1 {
                         } else {
-                            if _e175 {
+                            if _e176 {
                             } else {
                                 break;
                             }
-                            let _e1582 = global_9.member[_e95];
-                            if _e96 {
+                            let _e1584 = global_9.member[_e96];
+                            if _e97 {
                             } else {
                                 break;
                             }
-                            let _e1586 = global_8.member[_e95].member_1;
-                            if _e175 {
+                            let _e1588 = global_8.member[_e96].member_1;
+                            if _e176 {
                             } else {
                                 break;
                             }
-                            global_9.member[_e95] = type_30(_e1582.member, _e1582.member_1, _e1582.member_2, array<f32, 3>((_e1582.member_3[0] + (_e1586[0] * _e1582.member_1[0])), (_e1582.member_3[1] + (_e1586[1] * _e1582.member_1[1])), (_e1582.member_3[2] + (_e1586[2] * _e1582.member_1[2]))), _e1582.member_4);
+                            global_9.member[_e96] = type_30(_e1584.member, _e1584.member_1, _e1584.member_2, array<f32, 3>((_e1584.member_3[0] + (_e1588[0] * _e1584.member_1[0])), (_e1584.member_3[1] + (_e1588[1] * _e1584.member_1[1])), (_e1584.member_3[2] + (_e1588[2] * _e1584.member_1[2]))), _e1584.member_4);
                         }
                     }
                 }

@@ -133,460 +133,462 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_327_: u32;
-    var phi_371_: i32;
-    var phi_395_: type_45;
-    var phi_545_: i32;
+    var phi_328_: u32;
+    var phi_372_: i32;
+    var phi_396_: type_45;
     var phi_546_: i32;
-    var phi_556_: bool;
-    var phi_566_: u32;
+    var phi_547_: i32;
+    var phi_557_: bool;
     var phi_567_: u32;
-    var phi_569_: bool;
-    var phi_574_: u32;
-    var phi_606_: i32;
-    var phi_624_: f32;
-    var phi_630_: f32;
-    var phi_641_: f32;
-    var phi_647_: f32;
-    var phi_670_: f32;
-    var phi_681_: f32;
-    var phi_690_: f32;
-    var phi_696_: f32;
-    var phi_707_: f32;
-    var phi_713_: f32;
-    var phi_736_: f32;
-    var phi_747_: f32;
-    var phi_756_: f32;
-    var phi_762_: f32;
-    var phi_773_: f32;
-    var phi_779_: f32;
-    var phi_802_: f32;
-    var phi_813_: f32;
-    var phi_913_: f32;
+    var phi_568_: u32;
+    var phi_570_: bool;
+    var phi_575_: u32;
+    var phi_607_: i32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_642_: f32;
+    var phi_648_: f32;
+    var phi_671_: f32;
+    var phi_682_: f32;
+    var phi_691_: f32;
+    var phi_697_: f32;
+    var phi_708_: f32;
+    var phi_714_: f32;
+    var phi_737_: f32;
+    var phi_748_: f32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_774_: f32;
+    var phi_780_: f32;
+    var phi_803_: f32;
+    var phi_814_: f32;
     var phi_914_: f32;
-    var phi_3913_: bool;
-    var phi_1003_: type_51;
-    var phi_1006_: type_63;
-    var phi_1008_: u32;
-    var phi_1010_: bool;
-    var phi_1012_: u32;
-    var phi_1023_: bool;
-    var phi_1109_: type_63;
-    var phi_1110_: bool;
-    var phi_1111_: u32;
-    var phi_3166_: u32;
-    var phi_3167_: u32;
-    var phi_3177_: u32;
-    var phi_3179_: u32;
-    var phi_3180_: bool;
-    var phi_3200_: u32;
-    var phi_3201_: u32;
-    var phi_3205_: type_64;
-    var phi_3549_: type_63;
-    var phi_3626_: type_63;
-    var phi_3627_: type_63;
-    var phi_3628_: u32;
-    var phi_3630_: type_63;
-    var phi_3631_: u32;
-    var phi_3632_: bool;
-    var phi_3641_: type_63;
-    var phi_3646_: type_63;
-    var phi_3647_: bool;
-    var phi_1129_: type_51;
-    var phi_1132_: type_8;
-    var phi_1133_: type_8;
-    var phi_1155_: type_8;
-    var phi_1176_: u32;
-    var phi_1265_: array<array<f32, 3>, 3>;
-    var phi_1382_: bool;
-    var phi_1411_: bool;
-    var phi_1812_: f32;
-    var phi_1813_: f32;
-    var phi_1814_: f32;
-    var phi_1815_: f32;
-    var phi_1816_: vec3<f32>;
-    var phi_1817_: vec3<f32>;
-    var phi_1818_: vec3<f32>;
-    var phi_1819_: vec3<f32>;
-    var phi_1850_: bool;
-    var phi_1859_: vec3<f32>;
-    var phi_2026_: bool;
-    var phi_2050_: f32;
-    var phi_2051_: f32;
-    var phi_2074_: type_30;
-    var phi_2076_: type_30;
-    var phi_2077_: bool;
-    var phi_2081_: type_30;
-    var phi_2082_: type_30;
-    var phi_2083_: type_30;
-    var phi_2084_: bool;
-    var phi_2088_: type_30;
-    var phi_2089_: bool;
-    var phi_2090_: type_30;
-    var phi_2091_: bool;
-    var phi_2092_: bool;
-    var phi_2093_: type_30;
-    var phi_2094_: bool;
-    var phi_2095_: bool;
-    var phi_2103_: type_30;
-    var phi_2104_: bool;
-    var phi_2108_: type_30;
-    var phi_2131_: u32;
-    var phi_2145_: i32;
-    var phi_2165_: vec3<f32>;
-    var phi_2166_: vec3<f32>;
-    var phi_2182_: vec3<f32>;
-    var phi_2183_: vec3<f32>;
-    var phi_2199_: vec3<f32>;
-    var phi_2200_: vec3<f32>;
-    var phi_2236_: vec3<f32>;
-    var phi_2418_: f32;
-    var phi_2436_: bool;
-    var phi_2437_: bool;
-    var phi_2442_: type_51;
-    var phi_2443_: type_51;
-    var phi_1130_: type_51;
-    var phi_3907_: bool;
-    var local_10: type_51;
-    var phi_4077_: bool;
-    var phi_3649_: type_51;
-    var phi_3650_: type_63;
-    var phi_3651_: bool;
-    var phi_3652_: u32;
-    var phi_4076_: bool;
-    var phi_3653_: type_51;
-    var phi_3654_: type_63;
-    var phi_3655_: u32;
-    var phi_3656_: bool;
-    var phi_3657_: u32;
-    var phi_4075_: bool;
-    var phi_3658_: type_51;
-    var phi_3659_: type_63;
-    var phi_3660_: u32;
-    var phi_3661_: bool;
-    var phi_3662_: u32;
-    var phi_4074_: bool;
+    var phi_915_: f32;
+    var phi_3911_: bool;
     var phi_1004_: type_51;
     var phi_1007_: type_63;
     var phi_1009_: u32;
     var phi_1011_: bool;
     var phi_1013_: u32;
-    var phi_3663_: bool;
+    var phi_1024_: bool;
+    var phi_1110_: type_63;
+    var phi_1111_: bool;
+    var phi_1112_: u32;
+    var phi_3164_: u32;
+    var phi_3165_: u32;
+    var phi_3175_: u32;
+    var phi_3177_: u32;
+    var phi_3178_: bool;
+    var phi_3198_: u32;
+    var phi_3199_: u32;
+    var phi_3203_: type_64;
+    var phi_3547_: type_63;
+    var phi_3624_: type_63;
+    var phi_3625_: type_63;
+    var phi_3626_: u32;
+    var phi_3628_: type_63;
+    var phi_3629_: u32;
+    var phi_3630_: bool;
+    var phi_3639_: type_63;
+    var phi_3644_: type_63;
+    var phi_3645_: bool;
+    var phi_1130_: type_51;
+    var phi_1133_: type_8;
+    var phi_1134_: type_8;
+    var phi_1156_: type_8;
+    var phi_1177_: u32;
+    var phi_1266_: array<array<f32, 3>, 3>;
+    var phi_1383_: bool;
+    var phi_1412_: bool;
+    var phi_1813_: f32;
+    var phi_1814_: f32;
+    var phi_1815_: f32;
+    var phi_1816_: f32;
+    var phi_1817_: vec3<f32>;
+    var phi_1818_: vec3<f32>;
+    var phi_1819_: vec3<f32>;
+    var phi_1820_: vec3<f32>;
+    var phi_1851_: bool;
+    var phi_1860_: vec3<f32>;
+    var phi_2025_: f32;
+    var phi_2027_: f32;
+    var phi_2028_: bool;
+    var phi_2048_: f32;
+    var phi_2049_: f32;
+    var phi_2072_: type_30;
+    var phi_2074_: type_30;
+    var phi_2075_: bool;
+    var phi_2079_: type_30;
+    var phi_2080_: type_30;
+    var phi_2081_: type_30;
+    var phi_2082_: bool;
+    var phi_2086_: type_30;
+    var phi_2087_: bool;
+    var phi_2088_: type_30;
+    var phi_2089_: bool;
+    var phi_2090_: bool;
+    var phi_2091_: type_30;
+    var phi_2092_: bool;
+    var phi_2093_: bool;
+    var phi_2101_: type_30;
+    var phi_2102_: bool;
+    var phi_2106_: type_30;
+    var phi_2129_: u32;
+    var phi_2143_: i32;
+    var phi_2163_: vec3<f32>;
+    var phi_2164_: vec3<f32>;
+    var phi_2180_: vec3<f32>;
+    var phi_2181_: vec3<f32>;
+    var phi_2197_: vec3<f32>;
+    var phi_2198_: vec3<f32>;
+    var phi_2234_: vec3<f32>;
+    var phi_2416_: f32;
+    var phi_2434_: bool;
+    var phi_2435_: bool;
+    var phi_2440_: type_51;
+    var phi_2441_: type_51;
+    var phi_1131_: type_51;
+    var phi_3905_: bool;
+    var local_10: type_51;
+    var phi_4075_: bool;
+    var phi_3647_: type_51;
+    var phi_3648_: type_63;
+    var phi_3649_: bool;
+    var phi_3650_: u32;
+    var phi_4074_: bool;
+    var phi_3651_: type_51;
+    var phi_3652_: type_63;
+    var phi_3653_: u32;
+    var phi_3654_: bool;
+    var phi_3655_: u32;
     var phi_4073_: bool;
+    var phi_3656_: type_51;
+    var phi_3657_: type_63;
+    var phi_3658_: u32;
+    var phi_3659_: bool;
+    var phi_3660_: u32;
+    var phi_4072_: bool;
+    var phi_1005_: type_51;
+    var phi_1008_: type_63;
+    var phi_1010_: u32;
+    var phi_1012_: bool;
+    var phi_1014_: u32;
+    var phi_3661_: bool;
+    var phi_4071_: bool;
     var local_11: type_51;
     var local_12: type_51;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e95 = global;
-            let _e97 = arrayLength((&global_5.member));
-            let _e99 = arrayLength((&global_6.member));
-            let _e111 = arrayLength((&global_9.member));
-            let _e115 = global_4.member[0u][0u];
-            let _e119 = global_4.member[0u][1u];
-            let _e123 = global_4.member[0u][2u];
-            let _e127 = global_4.member[0u][3u];
-            let _e131 = global_4.member[1u][0u];
-            let _e135 = global_4.member[1u][1u];
-            let _e139 = global_4.member[1u][2u];
-            let _e143 = (_e95.x + (_e95.y * 2097152u));
-            let _e155 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e127) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
-            local = array<i32, 3>(bitcast<i32>(_e131), bitcast<i32>(_e135), bitcast<i32>(_e139));
-            let _e158 = (_e143 < arrayLength((&global_10.member)));
-            if _e158 {
-                if _e158 {
+            let _e96 = global;
+            let _e98 = arrayLength((&global_5.member));
+            let _e100 = arrayLength((&global_6.member));
+            let _e112 = arrayLength((&global_9.member));
+            let _e116 = global_4.member[0u][0u];
+            let _e120 = global_4.member[0u][1u];
+            let _e124 = global_4.member[0u][2u];
+            let _e128 = global_4.member[0u][3u];
+            let _e132 = global_4.member[1u][0u];
+            let _e136 = global_4.member[1u][1u];
+            let _e140 = global_4.member[1u][2u];
+            let _e144 = (_e96.x + (_e96.y * 2097152u));
+            let _e156 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e128) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            local = array<i32, 3>(bitcast<i32>(_e132), bitcast<i32>(_e136), bitcast<i32>(_e140));
+            let _e159 = (_e144 < arrayLength((&global_10.member)));
+            if _e159 {
+                if _e159 {
                 } else {
                     break;
                 }
-                let _e162 = global_10.member[_e143].member_2;
-                phi_327_ = _e162;
+                let _e163 = global_10.member[_e144].member_2;
+                phi_328_ = _e163;
             } else {
-                phi_327_ = 4294967295u;
+                phi_328_ = 4294967295u;
             }
-            let _e164 = phi_327_;
-            let _e167 = global_1.member[0u];
-            let _e171 = global_3.member[0u][0u];
-            let _e175 = global_3.member[0u][1u];
-            let _e179 = global_3.member[0u][2u];
-            let _e183 = global_3.member[0u][3u];
-            let _e187 = global_3.member[1u][0u];
-            let _e191 = global_3.member[1u][1u];
-            let _e195 = global_3.member[1u][2u];
-            let _e199 = global_3.member[1u][3u];
-            let _e200 = bitcast<f32>(_e171);
-            let _e201 = bitcast<f32>(_e175);
-            let _e202 = bitcast<f32>(_e179);
-            let _e204 = bitcast<f32>(_e187);
-            let _e205 = array<u32, 3>(_e191, _e195, _e199);
-            let _e207 = bitcast<i32>(_e167);
-            if (_e207 < -126i) {
-                phi_371_ = -126i;
+            let _e165 = phi_328_;
+            let _e168 = global_1.member[0u];
+            let _e172 = global_3.member[0u][0u];
+            let _e176 = global_3.member[0u][1u];
+            let _e180 = global_3.member[0u][2u];
+            let _e184 = global_3.member[0u][3u];
+            let _e188 = global_3.member[1u][0u];
+            let _e192 = global_3.member[1u][1u];
+            let _e196 = global_3.member[1u][2u];
+            let _e200 = global_3.member[1u][3u];
+            let _e201 = bitcast<f32>(_e172);
+            let _e202 = bitcast<f32>(_e176);
+            let _e203 = bitcast<f32>(_e180);
+            let _e205 = bitcast<f32>(_e188);
+            let _e206 = array<u32, 3>(_e192, _e196, _e200);
+            let _e208 = bitcast<i32>(_e168);
+            if (_e208 < -126i) {
+                phi_372_ = -126i;
             } else {
-                phi_371_ = select(_e207, 127i, (_e207 > 127i));
+                phi_372_ = select(_e208, 127i, (_e208 > 127i));
             }
-            let _e212 = phi_371_;
-            let _e217 = bitcast<f32>((bitcast<u32>((_e212 + 127i)) << bitcast<u32>(23i)));
-            let _e223 = bitcast<f32>((bitcast<u32>(((_e207 - _e212) + 127i)) << bitcast<u32>(23i)));
-            if (_e183 == 0u) {
-                phi_395_ = type_45(array<f32, 3>(_e200, _e201, _e202), _e183, _e204, _e205);
+            let _e213 = phi_372_;
+            let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
+            let _e224 = bitcast<f32>((bitcast<u32>(((_e208 - _e213) + 127i)) << bitcast<u32>(23i)));
+            if (_e184 == 0u) {
+                phi_396_ = type_45(array<f32, 3>(_e201, _e202, _e203), _e184, _e205, _e206);
             } else {
-                phi_395_ = type_45(array<f32, 3>(((_e200 * _e217) * _e223), ((_e201 * _e217) * _e223), ((_e202 * _e217) * _e223)), _e183, ((_e204 * _e217) * _e223), _e205);
+                phi_396_ = type_45(array<f32, 3>(((_e201 * _e218) * _e224), ((_e202 * _e218) * _e224), ((_e203 * _e218) * _e224)), _e184, ((_e205 * _e218) * _e224), _e206);
             }
-            let _e236 = phi_395_;
-            if _e158 {
-                let _e237 = (_e143 < arrayLength((&global_2.member)));
-                if _e237 {
-                    if _e158 {
+            let _e237 = phi_396_;
+            if _e159 {
+                let _e238 = (_e144 < arrayLength((&global_2.member)));
+                if _e238 {
+                    if _e159 {
                     } else {
                         break;
                     }
-                    let _e242 = global_10.member[_e143].member.member_1;
-                    let _e247 = global_10.member[_e143].member.member_3;
-                    if (_e242 <= _e247) {
-                        let _e249 = (1u < _e111);
-                        if _e249 {
-                            if (0u < _e111) {
+                    let _e243 = global_10.member[_e144].member.member_1;
+                    let _e248 = global_10.member[_e144].member.member_3;
+                    if (_e243 <= _e248) {
+                        let _e250 = (1u < _e112);
+                        if _e250 {
+                            if (0u < _e112) {
                             } else {
                                 break;
                             }
-                            let _e253 = atomicAdd((&global_9.member[0u]), 1u);
-                            if ((_e253 + 1u) < _e253) {
-                                if _e249 {
+                            let _e254 = atomicAdd((&global_9.member[0u]), 1u);
+                            if ((_e254 + 1u) < _e254) {
+                                if _e250 {
                                 } else {
                                     break;
                                 }
-                                let _e258 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e259 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
-                        if _e158 {
+                        if _e159 {
                         } else {
                             break;
                         }
-                        let _e268 = global_10.member[_e143].member.member_2[0u];
-                        let _e270 = (bitcast<u32>(_e268) & 2147483647u);
-                        let _e276 = global_10.member[_e143].member.member_2[1u];
-                        let _e278 = (bitcast<u32>(_e276) & 2147483647u);
-                        let _e284 = global_10.member[_e143].member.member_2[2u];
-                        let _e286 = (bitcast<u32>(_e284) & 2147483647u);
-                        let _e292 = global_10.member[_e143].member.member[0u];
-                        let _e294 = (bitcast<u32>(_e292) & 2147483647u);
-                        let _e300 = global_10.member[_e143].member.member[1u];
-                        let _e302 = (bitcast<u32>(_e300) & 2147483647u);
-                        let _e308 = global_10.member[_e143].member.member[2u];
-                        let _e310 = (bitcast<u32>(_e308) & 2147483647u);
-                        let _e312 = select(_e278, _e270, (_e278 < _e270));
-                        let _e314 = select(_e286, _e312, (_e286 < _e312));
-                        let _e316 = select(_e294, _e314, (_e294 < _e314));
-                        let _e318 = select(_e302, _e316, (_e302 < _e316));
-                        let _e320 = select(_e310, _e318, (_e310 < _e318));
-                        let _e322 = (bitcast<u32>(_e242) & 2147483647u);
-                        let _e331 = (((select(_e322, _e320, (_e322 < _e320)) < 2139095040u) && ((bitcast<u32>(_e247) & 2147483647u) <= 2139095040u)) && (_e314 > 0u));
-                        if _e331 {
-                            let _e334 = (bitcast<u32>(bitcast<f32>(_e314)) & 2147483647u);
-                            if (_e334 >= 8388608u) {
-                                phi_545_ = (bitcast<i32>((_e334 >> bitcast<u32>(23i))) - 127i);
+                        let _e269 = global_10.member[_e144].member.member_2[0u];
+                        let _e271 = (bitcast<u32>(_e269) & 2147483647u);
+                        let _e277 = global_10.member[_e144].member.member_2[1u];
+                        let _e279 = (bitcast<u32>(_e277) & 2147483647u);
+                        let _e285 = global_10.member[_e144].member.member_2[2u];
+                        let _e287 = (bitcast<u32>(_e285) & 2147483647u);
+                        let _e293 = global_10.member[_e144].member.member[0u];
+                        let _e295 = (bitcast<u32>(_e293) & 2147483647u);
+                        let _e301 = global_10.member[_e144].member.member[1u];
+                        let _e303 = (bitcast<u32>(_e301) & 2147483647u);
+                        let _e309 = global_10.member[_e144].member.member[2u];
+                        let _e311 = (bitcast<u32>(_e309) & 2147483647u);
+                        let _e313 = select(_e279, _e271, (_e279 < _e271));
+                        let _e315 = select(_e287, _e313, (_e287 < _e313));
+                        let _e317 = select(_e295, _e315, (_e295 < _e315));
+                        let _e319 = select(_e303, _e317, (_e303 < _e317));
+                        let _e321 = select(_e311, _e319, (_e311 < _e319));
+                        let _e323 = (bitcast<u32>(_e243) & 2147483647u);
+                        let _e332 = (((select(_e323, _e321, (_e323 < _e321)) < 2139095040u) && ((bitcast<u32>(_e248) & 2147483647u) <= 2139095040u)) && (_e315 > 0u));
+                        if _e332 {
+                            let _e335 = (bitcast<u32>(bitcast<f32>(_e315)) & 2147483647u);
+                            if (_e335 >= 8388608u) {
+                                phi_546_ = (bitcast<i32>((_e335 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_545_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e334)), 32u, (_e334 == 0u))));
+                                phi_546_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e335)), 32u, (_e335 == 0u))));
                             }
-                            let _e348 = phi_545_;
-                            phi_546_ = _e348;
+                            let _e349 = phi_546_;
+                            phi_547_ = _e349;
                         } else {
-                            phi_546_ = 0i;
+                            phi_547_ = 0i;
                         }
-                        let _e350 = phi_546_;
-                        let _e351 = (_e270 == _e314);
-                        if _e351 {
-                            phi_556_ = true;
+                        let _e351 = phi_547_;
+                        let _e352 = (_e271 == _e315);
+                        if _e352 {
+                            phi_557_ = true;
                         } else {
-                            phi_556_ = (_e278 == _e314);
+                            phi_557_ = (_e279 == _e315);
                         }
-                        let _e354 = phi_556_;
-                        let _e355 = select(1u, 0u, _e351);
-                        if _e354 {
-                            let _e356 = (_e355 + 1u);
-                            phi_566_ = _e356;
-                            phi_567_ = _e356;
-                            phi_569_ = select(true, false, (_e356 == 2u));
+                        let _e355 = phi_557_;
+                        let _e356 = select(1u, 0u, _e352);
+                        if _e355 {
+                            let _e357 = (_e356 + 1u);
+                            phi_567_ = _e357;
+                            phi_568_ = _e357;
+                            phi_570_ = select(true, false, (_e357 == 2u));
                         } else {
-                            phi_566_ = u32();
-                            phi_567_ = 0u;
-                            phi_569_ = true;
+                            phi_567_ = u32();
+                            phi_568_ = 0u;
+                            phi_570_ = true;
                         }
-                        let _e360 = phi_566_;
-                        let _e362 = phi_567_;
-                        let _e364 = phi_569_;
-                        if _e364 {
-                            phi_574_ = (_e362 + 1u);
+                        let _e361 = phi_567_;
+                        let _e363 = phi_568_;
+                        let _e365 = phi_570_;
+                        if _e365 {
+                            phi_575_ = (_e363 + 1u);
                         } else {
-                            phi_574_ = 0u;
+                            phi_575_ = 0u;
                         }
-                        let _e368 = phi_574_;
-                        let _e369 = select(_e360, _e362, _e364);
-                        let _e370 = select(_e355, select(2u, _e355, _e354), _e364);
-                        let _e371 = -(_e350);
-                        if (_e371 < -126i) {
-                            phi_606_ = -126i;
+                        let _e369 = phi_575_;
+                        let _e370 = select(_e361, _e363, _e365);
+                        let _e371 = select(_e356, select(2u, _e356, _e355), _e365);
+                        let _e372 = -(_e351);
+                        if (_e372 < -126i) {
+                            phi_607_ = -126i;
                         } else {
-                            phi_606_ = select(_e371, 127i, (_e371 > 127i));
+                            phi_607_ = select(_e372, 127i, (_e372 > 127i));
                         }
-                        let _e376 = phi_606_;
-                        let _e381 = bitcast<f32>((bitcast<u32>((_e376 + 127i)) << bitcast<u32>(23i)));
-                        let _e387 = bitcast<f32>((bitcast<u32>(((_e371 - _e376) + 127i)) << bitcast<u32>(23i)));
-                        let _e392 = global_10.member[_e143].member.member;
-                        let _e393 = (_e369 == 0u);
-                        if _e393 {
-                            phi_624_ = _e392[0];
+                        let _e377 = phi_607_;
+                        let _e382 = bitcast<f32>((bitcast<u32>((_e377 + 127i)) << bitcast<u32>(23i)));
+                        let _e388 = bitcast<f32>((bitcast<u32>(((_e372 - _e377) + 127i)) << bitcast<u32>(23i)));
+                        let _e393 = global_10.member[_e144].member.member;
+                        let _e394 = (_e370 == 0u);
+                        if _e394 {
+                            phi_625_ = _e393[0];
                         } else {
-                            phi_624_ = _e392[1];
+                            phi_625_ = _e393[1];
                         }
-                        let _e397 = phi_624_;
-                        let _e398 = (_e369 == 2u);
-                        if _e398 {
-                            phi_630_ = _e392[2];
+                        let _e398 = phi_625_;
+                        let _e399 = (_e370 == 2u);
+                        if _e399 {
+                            phi_631_ = _e393[2];
                         } else {
-                            phi_630_ = _e397;
+                            phi_631_ = _e398;
                         }
-                        let _e401 = phi_630_;
-                        let _e402 = global_10.member[_e143].member.member_2;
-                        if _e393 {
-                            phi_641_ = _e402[0];
+                        let _e402 = phi_631_;
+                        let _e403 = global_10.member[_e144].member.member_2;
+                        if _e394 {
+                            phi_642_ = _e403[0];
                         } else {
-                            phi_641_ = _e402[1];
+                            phi_642_ = _e403[1];
                         }
-                        let _e406 = phi_641_;
-                        if _e398 {
-                            phi_647_ = _e402[2];
+                        let _e407 = phi_642_;
+                        if _e399 {
+                            phi_648_ = _e403[2];
                         } else {
-                            phi_647_ = _e406;
+                            phi_648_ = _e407;
                         }
-                        let _e409 = phi_647_;
-                        let _e411 = ((_e409 * _e381) * _e387);
-                        let _e415 = (bitcast<f32>((bitcast<u32>(_e411) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e415 {
-                            let _e419 = (bitcast<f32>((bitcast<u32>(_e401) & 2147483647u)) * 0.00000011920929f);
-                            phi_670_ = select(0.00000000000011368684f, _e419, (_e419 > 0.00000000000011368684f));
+                        let _e410 = phi_648_;
+                        let _e412 = ((_e410 * _e382) * _e388);
+                        let _e416 = (bitcast<f32>((bitcast<u32>(_e412) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e416 {
+                            let _e420 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) * 0.00000011920929f);
+                            phi_671_ = select(0.00000000000011368684f, _e420, (_e420 > 0.00000000000011368684f));
                         } else {
-                            phi_670_ = 0f;
+                            phi_671_ = 0f;
                         }
-                        let _e423 = phi_670_;
-                        let _e424 = (_e401 + _e423);
-                        let _e425 = (_e401 - _e423);
-                        let _e426 = select(_e411, 0f, _e415);
-                        if _e415 {
-                            phi_681_ = 38685626000000000000000000f;
+                        let _e424 = phi_671_;
+                        let _e425 = (_e402 + _e424);
+                        let _e426 = (_e402 - _e424);
+                        let _e427 = select(_e412, 0f, _e416);
+                        if _e416 {
+                            phi_682_ = 38685626000000000000000000f;
                         } else {
-                            phi_681_ = (1f / _e411);
+                            phi_682_ = (1f / _e412);
                         }
-                        let _e429 = phi_681_;
-                        let _e430 = (_e368 == 0u);
-                        if _e430 {
-                            phi_690_ = _e392[0];
+                        let _e430 = phi_682_;
+                        let _e431 = (_e369 == 0u);
+                        if _e431 {
+                            phi_691_ = _e393[0];
                         } else {
-                            phi_690_ = _e392[1];
+                            phi_691_ = _e393[1];
                         }
-                        let _e434 = phi_690_;
-                        let _e435 = (_e368 == 2u);
-                        if _e435 {
-                            phi_696_ = _e392[2];
+                        let _e435 = phi_691_;
+                        let _e436 = (_e369 == 2u);
+                        if _e436 {
+                            phi_697_ = _e393[2];
                         } else {
-                            phi_696_ = _e434;
+                            phi_697_ = _e435;
                         }
-                        let _e438 = phi_696_;
-                        if _e430 {
-                            phi_707_ = _e402[0];
+                        let _e439 = phi_697_;
+                        if _e431 {
+                            phi_708_ = _e403[0];
                         } else {
-                            phi_707_ = _e402[1];
+                            phi_708_ = _e403[1];
                         }
-                        let _e442 = phi_707_;
-                        if _e435 {
-                            phi_713_ = _e402[2];
+                        let _e443 = phi_708_;
+                        if _e436 {
+                            phi_714_ = _e403[2];
                         } else {
-                            phi_713_ = _e442;
+                            phi_714_ = _e443;
                         }
-                        let _e445 = phi_713_;
-                        let _e447 = ((_e445 * _e381) * _e387);
-                        let _e451 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e451 {
-                            let _e455 = (bitcast<f32>((bitcast<u32>(_e438) & 2147483647u)) * 0.00000011920929f);
-                            phi_736_ = select(0.00000000000011368684f, _e455, (_e455 > 0.00000000000011368684f));
+                        let _e446 = phi_714_;
+                        let _e448 = ((_e446 * _e382) * _e388);
+                        let _e452 = (bitcast<f32>((bitcast<u32>(_e448) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e452 {
+                            let _e456 = (bitcast<f32>((bitcast<u32>(_e439) & 2147483647u)) * 0.00000011920929f);
+                            phi_737_ = select(0.00000000000011368684f, _e456, (_e456 > 0.00000000000011368684f));
                         } else {
-                            phi_736_ = 0f;
+                            phi_737_ = 0f;
                         }
-                        let _e459 = phi_736_;
-                        let _e460 = (_e438 + _e459);
-                        let _e461 = (_e438 - _e459);
-                        let _e462 = select(_e447, 0f, _e451);
-                        if _e451 {
-                            phi_747_ = 38685626000000000000000000f;
+                        let _e460 = phi_737_;
+                        let _e461 = (_e439 + _e460);
+                        let _e462 = (_e439 - _e460);
+                        let _e463 = select(_e448, 0f, _e452);
+                        if _e452 {
+                            phi_748_ = 38685626000000000000000000f;
                         } else {
-                            phi_747_ = (1f / _e447);
+                            phi_748_ = (1f / _e448);
                         }
-                        let _e465 = phi_747_;
-                        let _e466 = (_e370 == 0u);
-                        if _e466 {
-                            phi_756_ = _e392[0];
+                        let _e466 = phi_748_;
+                        let _e467 = (_e371 == 0u);
+                        if _e467 {
+                            phi_757_ = _e393[0];
                         } else {
-                            phi_756_ = _e392[1];
+                            phi_757_ = _e393[1];
                         }
-                        let _e470 = phi_756_;
-                        let _e471 = (_e370 == 2u);
-                        if _e471 {
-                            phi_762_ = _e392[2];
+                        let _e471 = phi_757_;
+                        let _e472 = (_e371 == 2u);
+                        if _e472 {
+                            phi_763_ = _e393[2];
                         } else {
-                            phi_762_ = _e470;
+                            phi_763_ = _e471;
                         }
-                        let _e474 = phi_762_;
-                        if _e466 {
-                            phi_773_ = _e402[0];
+                        let _e475 = phi_763_;
+                        if _e467 {
+                            phi_774_ = _e403[0];
                         } else {
-                            phi_773_ = _e402[1];
+                            phi_774_ = _e403[1];
                         }
-                        let _e478 = phi_773_;
-                        if _e471 {
-                            phi_779_ = _e402[2];
+                        let _e479 = phi_774_;
+                        if _e472 {
+                            phi_780_ = _e403[2];
                         } else {
-                            phi_779_ = _e478;
+                            phi_780_ = _e479;
                         }
-                        let _e481 = phi_779_;
-                        let _e483 = ((_e481 * _e381) * _e387);
-                        let _e487 = (bitcast<f32>((bitcast<u32>(_e483) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e487 {
-                            let _e491 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) * 0.00000011920929f);
-                            phi_802_ = select(0.00000000000011368684f, _e491, (_e491 > 0.00000000000011368684f));
+                        let _e482 = phi_780_;
+                        let _e484 = ((_e482 * _e382) * _e388);
+                        let _e488 = (bitcast<f32>((bitcast<u32>(_e484) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e488 {
+                            let _e492 = (bitcast<f32>((bitcast<u32>(_e475) & 2147483647u)) * 0.00000011920929f);
+                            phi_803_ = select(0.00000000000011368684f, _e492, (_e492 > 0.00000000000011368684f));
                         } else {
-                            phi_802_ = 0f;
+                            phi_803_ = 0f;
                         }
-                        let _e495 = phi_802_;
-                        let _e496 = (_e474 + _e495);
-                        let _e497 = (_e474 - _e495);
-                        let _e498 = select(_e483, 0f, _e487);
-                        if _e487 {
-                            phi_813_ = 38685626000000000000000000f;
+                        let _e496 = phi_803_;
+                        let _e497 = (_e475 + _e496);
+                        let _e498 = (_e475 - _e496);
+                        let _e499 = select(_e484, 0f, _e488);
+                        if _e488 {
+                            phi_814_ = 38685626000000000000000000f;
                         } else {
-                            phi_813_ = (1f / _e483);
+                            phi_814_ = (1f / _e484);
                         }
-                        let _e501 = phi_813_;
-                        let _e504 = bitcast<f32>((bitcast<u32>(_e401) & 2147483647u));
-                        let _e507 = bitcast<f32>((bitcast<u32>(_e438) & 2147483647u));
-                        let _e509 = select(_e507, _e504, (_e504 > _e507));
-                        let _e512 = bitcast<f32>((bitcast<u32>(_e474) & 2147483647u));
-                        if (_e331 && (select(_e512, _e509, (_e509 > _e512)) <= 1099511600000f)) {
-                            let _e517 = (_e350 / 3i);
-                            let _e524 = bitcast<f32>((bitcast<u32>((_e517 + 127i)) << bitcast<u32>(23i)));
-                            let _e531 = bitcast<f32>((bitcast<u32>(((_e350 - (2i * _e517)) + 127i)) << bitcast<u32>(23i)));
-                            let _e532 = (((_e242 * _e524) * _e524) * _e531);
-                            let _e534 = select(340282350000000000000000000000000000000f, _e532, (_e532 < 340282350000000000000000000000000000000f));
-                            let _e539 = (((_e247 * _e524) * _e524) * _e531);
-                            let _e541 = select(340282350000000000000000000000000000000f, _e539, (_e539 < 340282350000000000000000000000000000000f));
-                            phi_913_ = select(-340282350000000000000000000000000000000f, _e541, (_e541 > -340282350000000000000000000000000000000f));
-                            phi_914_ = select(-340282350000000000000000000000000000000f, _e534, (_e534 > -340282350000000000000000000000000000000f));
+                        let _e502 = phi_814_;
+                        let _e505 = bitcast<f32>((bitcast<u32>(_e402) & 2147483647u));
+                        let _e508 = bitcast<f32>((bitcast<u32>(_e439) & 2147483647u));
+                        let _e510 = select(_e508, _e505, (_e505 > _e508));
+                        let _e513 = bitcast<f32>((bitcast<u32>(_e475) & 2147483647u));
+                        if (_e332 && (select(_e513, _e510, (_e510 > _e513)) <= 1099511600000f)) {
+                            let _e518 = (_e351 / 3i);
+                            let _e525 = bitcast<f32>((bitcast<u32>((_e518 + 127i)) << bitcast<u32>(23i)));
+                            let _e532 = bitcast<f32>((bitcast<u32>(((_e351 - (2i * _e518)) + 127i)) << bitcast<u32>(23i)));
+                            let _e533 = (((_e243 * _e525) * _e525) * _e532);
+                            let _e535 = select(340282350000000000000000000000000000000f, _e533, (_e533 < 340282350000000000000000000000000000000f));
+                            let _e540 = (((_e248 * _e525) * _e525) * _e532);
+                            let _e542 = select(340282350000000000000000000000000000000f, _e540, (_e540 < 340282350000000000000000000000000000000f));
+                            phi_914_ = select(-340282350000000000000000000000000000000f, _e542, (_e542 > -340282350000000000000000000000000000000f));
+                            phi_915_ = select(-340282350000000000000000000000000000000f, _e535, (_e535 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_913_ = 0f;
-                            phi_914_ = 1f;
+                            phi_914_ = 0f;
+                            phi_915_ = 1f;
                         }
-                        let _e545 = phi_913_;
-                        let _e547 = phi_914_;
+                        let _e546 = phi_914_;
+                        let _e548 = phi_915_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -595,1020 +597,1030 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e551 = (_e369 % 3u);
-                        let _e552 = (_e551 < 3u);
-                        if _e552 {
+                        let _e552 = (_e370 % 3u);
+                        let _e553 = (_e552 < 3u);
+                        if _e553 {
                         } else {
                             break;
                         }
-                        let _e554 = local_1[_e551];
-                        let _e557 = (_e368 % 3u);
-                        let _e558 = (_e557 < 3u);
-                        if _e558 {
+                        let _e555 = local_1[_e552];
+                        let _e558 = (_e369 % 3u);
+                        let _e559 = (_e558 < 3u);
+                        if _e559 {
                         } else {
                             break;
                         }
-                        let _e560 = local_1[_e557];
-                        let _e563 = (_e370 % 3u);
-                        let _e564 = (_e563 < 3u);
-                        if _e564 {
+                        let _e561 = local_1[_e558];
+                        let _e564 = (_e371 % 3u);
+                        let _e565 = (_e564 < 3u);
+                        if _e565 {
                         } else {
                             break;
                         }
-                        let _e566 = local_1[_e563];
-                        if _e552 {
+                        let _e567 = local_1[_e564];
+                        if _e553 {
                         } else {
                             break;
                         }
-                        let _e571 = local[_e551];
-                        if _e558 {
+                        let _e572 = local[_e552];
+                        if _e559 {
                         } else {
                             break;
                         }
-                        let _e575 = local[_e557];
-                        if _e564 {
+                        let _e576 = local[_e558];
+                        if _e565 {
                         } else {
                             break;
                         }
-                        let _e579 = local[_e563];
-                        phi_3913_ = false;
-                        phi_1003_ = type_51(_e545, false);
-                        phi_1006_ = type_63(type_39(vec4<f32>((f32(_e554) * _e155), (f32(_e560) * _e155), (f32(_e566) * _e155), 0f), vec4<f32>((f32(_e571) * _e155), (f32(_e575) * _e155), (f32(_e579) * _e155), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
-                        phi_1008_ = ((3u * _e97) + 1u);
-                        phi_1010_ = (_e547 <= _e545);
-                        phi_1012_ = 0u;
+                        let _e580 = local[_e564];
+                        phi_3911_ = false;
+                        phi_1004_ = type_51(_e546, false);
+                        phi_1007_ = type_63(type_39(vec4<f32>((f32(_e555) * _e156), (f32(_e561) * _e156), (f32(_e567) * _e156), 0f), vec4<f32>((f32(_e572) * _e156), (f32(_e576) * _e156), (f32(_e580) * _e156), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
+                        phi_1009_ = ((3u * _e98) + 1u);
+                        phi_1011_ = (_e548 <= _e546);
+                        phi_1013_ = 0u;
                         loop {
-                            let _e589 = phi_3913_;
-                            let _e591 = phi_1003_;
-                            let _e593 = phi_1006_;
-                            let _e595 = phi_1008_;
-                            let _e597 = phi_1010_;
-                            let _e599 = phi_1012_;
-                            local_11 = _e591;
-                            if _e597 {
-                                phi_1023_ = true;
+                            let _e590 = phi_3911_;
+                            let _e592 = phi_1004_;
+                            let _e594 = phi_1007_;
+                            let _e596 = phi_1009_;
+                            let _e598 = phi_1011_;
+                            let _e600 = phi_1013_;
+                            local_11 = _e592;
+                            if _e598 {
+                                phi_1024_ = true;
                             } else {
-                                phi_1023_ = (_e599 > 0u);
+                                phi_1024_ = (_e600 > 0u);
                             }
-                            let _e602 = phi_1023_;
-                            if _e602 {
-                                let _e603 = (_e595 > 0u);
-                                if _e603 {
-                                    if _e597 {
-                                        phi_1109_ = _e593;
-                                        phi_1110_ = _e597;
-                                        phi_1111_ = _e599;
+                            let _e603 = phi_1024_;
+                            if _e603 {
+                                let _e604 = (_e596 > 0u);
+                                if _e604 {
+                                    if _e598 {
+                                        phi_1110_ = _e594;
+                                        phi_1111_ = _e598;
+                                        phi_1112_ = _e600;
                                     } else {
-                                        let _e604 = (_e599 - 1u);
-                                        let _e605 = (_e604 % 128u);
-                                        let _e606 = (_e605 < 128u);
-                                        if _e606 {
+                                        let _e605 = (_e600 - 1u);
+                                        let _e606 = (_e605 % 128u);
+                                        let _e607 = (_e606 < 128u);
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e608 = local_7[_e605];
-                                        if _e606 {
+                                        let _e609 = local_7[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e610 = local_6[_e605];
-                                        if _e606 {
+                                        let _e611 = local_6[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e612 = local_5[_e605];
-                                        if _e606 {
+                                        let _e613 = local_5[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e614 = local_4[_e605];
-                                        if _e606 {
+                                        let _e615 = local_4[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e616 = local_3[_e605];
-                                        if _e606 {
+                                        let _e617 = local_3[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e618 = local_2[_e605];
-                                        if _e606 {
+                                        let _e619 = local_2[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e623 = local_8[_e605];
-                                        if _e606 {
+                                        let _e624 = local_8[_e606];
+                                        if _e607 {
                                         } else {
-                                            phi_4073_ = true;
+                                            phi_4071_ = true;
                                             break;
                                         }
-                                        let _e626 = local_9[_e605];
-                                        phi_1109_ = type_63(type_39(vec4<f32>(_e608, _e610, _e612, 0f), vec4<f32>(_e614, _e616, _e618, 0f)), _e623);
-                                        phi_1110_ = (_e626 <= _e591.member);
-                                        phi_1111_ = _e604;
+                                        let _e627 = local_9[_e606];
+                                        phi_1110_ = type_63(type_39(vec4<f32>(_e609, _e611, _e613, 0f), vec4<f32>(_e615, _e617, _e619, 0f)), _e624);
+                                        phi_1111_ = (_e627 <= _e592.member);
+                                        phi_1112_ = _e605;
                                     }
-                                    let _e630 = phi_1109_;
-                                    let _e632 = phi_1110_;
-                                    let _e634 = phi_1111_;
-                                    if _e632 {
-                                        if ((_e630.member_1 & 2147483648u) != 0u) {
-                                            phi_1129_ = _e591;
-                                            phi_1132_ = type_8(0u, ((_e630.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e631 = phi_1110_;
+                                    let _e633 = phi_1111_;
+                                    let _e635 = phi_1112_;
+                                    if _e633 {
+                                        if ((_e631.member_1 & 2147483648u) != 0u) {
+                                            phi_1130_ = _e592;
+                                            phi_1133_ = type_8(0u, ((_e631.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1078 = phi_1129_;
-                                                let _e1080 = phi_1132_;
-                                                local_10 = _e1078;
-                                                local_12 = _e1078;
-                                                if (_e1080.member < _e1080.member_1) {
-                                                    phi_1133_ = type_8((_e1080.member + 1u), _e1080.member_1);
-                                                    phi_1155_ = type_8(1u, _e1080.member);
+                                                let _e1079 = phi_1130_;
+                                                let _e1081 = phi_1133_;
+                                                local_10 = _e1079;
+                                                local_12 = _e1079;
+                                                if (_e1081.member < _e1081.member_1) {
+                                                    phi_1134_ = type_8((_e1081.member + 1u), _e1081.member_1);
+                                                    phi_1156_ = type_8(1u, _e1081.member);
                                                 } else {
-                                                    phi_1133_ = _e1080;
-                                                    phi_1155_ = type_8(0u, type_8().member_1);
+                                                    phi_1134_ = _e1081;
+                                                    phi_1156_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1093 = phi_1133_;
-                                                let _e1095 = phi_1155_;
-                                                let _e1099 = (bitcast<i32>(_e1095.member) != 0i);
-                                                if _e1099 {
-                                                    let _e1100 = ((_e630.member_1 & 268435455u) + _e1095.member_1);
-                                                    let _e1101 = (_e1100 < _e99);
-                                                    if _e1101 {
-                                                        if _e1101 {
+                                                let _e1094 = phi_1134_;
+                                                let _e1096 = phi_1156_;
+                                                let _e1100 = (bitcast<i32>(_e1096.member) != 0i);
+                                                if _e1100 {
+                                                    let _e1101 = ((_e631.member_1 & 268435455u) + _e1096.member_1);
+                                                    let _e1102 = (_e1101 < _e100);
+                                                    if _e1102 {
+                                                        if _e1102 {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1105 = global_6.member[_e1100].member_1;
-                                                        phi_1176_ = _e1105;
+                                                        let _e1106 = global_6.member[_e1101].member_1;
+                                                        phi_1177_ = _e1106;
                                                     } else {
-                                                        phi_1176_ = 4294967295u;
+                                                        phi_1177_ = 4294967295u;
                                                     }
-                                                    let _e1107 = phi_1176_;
-                                                    if (_e1100 >= _e99) {
-                                                        phi_1265_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1108 = phi_1177_;
+                                                    if (_e1101 >= _e100) {
+                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1101 {
+                                                        if _e1102 {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        if (_e551 < 9u) {
+                                                        if (_e552 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1114 = global_6.member[_e1100].member[_e551];
-                                                        if (_e557 < 9u) {
+                                                        let _e1115 = global_6.member[_e1101].member[_e552];
+                                                        if (_e558 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1120 = global_6.member[_e1100].member[_e557];
-                                                        if (_e563 < 9u) {
+                                                        let _e1121 = global_6.member[_e1101].member[_e558];
+                                                        if (_e564 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1126 = global_6.member[_e1100].member[_e563];
-                                                        let _e1128 = (3u + _e551);
-                                                        if (_e1128 < 9u) {
+                                                        let _e1127 = global_6.member[_e1101].member[_e564];
+                                                        let _e1129 = (3u + _e552);
+                                                        if (_e1129 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1134 = global_6.member[_e1100].member[_e1128];
-                                                        let _e1135 = (3u + _e557);
-                                                        if (_e1135 < 9u) {
+                                                        let _e1135 = global_6.member[_e1101].member[_e1129];
+                                                        let _e1136 = (3u + _e558);
+                                                        if (_e1136 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1141 = global_6.member[_e1100].member[_e1135];
-                                                        let _e1142 = (3u + _e563);
-                                                        if (_e1142 < 9u) {
+                                                        let _e1142 = global_6.member[_e1101].member[_e1136];
+                                                        let _e1143 = (3u + _e564);
+                                                        if (_e1143 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1148 = global_6.member[_e1100].member[_e1142];
-                                                        let _e1150 = (6u + _e551);
-                                                        if (_e1150 < 9u) {
+                                                        let _e1149 = global_6.member[_e1101].member[_e1143];
+                                                        let _e1151 = (6u + _e552);
+                                                        if (_e1151 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1156 = global_6.member[_e1100].member[_e1150];
-                                                        let _e1157 = (6u + _e557);
-                                                        if (_e1157 < 9u) {
+                                                        let _e1157 = global_6.member[_e1101].member[_e1151];
+                                                        let _e1158 = (6u + _e558);
+                                                        if (_e1158 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1163 = global_6.member[_e1100].member[_e1157];
-                                                        let _e1164 = (6u + _e563);
-                                                        if (_e1164 < 9u) {
+                                                        let _e1164 = global_6.member[_e1101].member[_e1158];
+                                                        let _e1165 = (6u + _e564);
+                                                        if (_e1165 < 9u) {
                                                         } else {
-                                                            phi_3907_ = true;
+                                                            phi_3905_ = true;
                                                             break;
                                                         }
-                                                        let _e1170 = global_6.member[_e1100].member[_e1164];
-                                                        phi_1265_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1114, _e1120, _e1126), array<f32, 3>(_e1134, _e1141, _e1148), array<f32, 3>(_e1156, _e1163, _e1170));
+                                                        let _e1171 = global_6.member[_e1101].member[_e1165];
+                                                        phi_1266_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1115, _e1121, _e1127), array<f32, 3>(_e1135, _e1142, _e1149), array<f32, 3>(_e1157, _e1164, _e1171));
                                                     }
-                                                    let _e1174 = phi_1265_;
-                                                    let _e1182 = (_e1174[0][2] - _e474);
-                                                    let _e1185 = (((_e1174[0][0] - _e401) * _e498) - (_e1182 * _e426));
-                                                    let _e1188 = (((_e1174[0][1] - _e438) * _e498) - (_e1182 * _e462));
-                                                    let _e1195 = (_e1174[1][2] - _e474);
-                                                    let _e1198 = (((_e1174[1][0] - _e401) * _e498) - (_e1195 * _e426));
-                                                    let _e1201 = (((_e1174[1][1] - _e438) * _e498) - (_e1195 * _e462));
-                                                    let _e1208 = (_e1174[2][2] - _e474);
-                                                    let _e1211 = (((_e1174[2][0] - _e401) * _e498) - (_e1208 * _e426));
-                                                    let _e1214 = (((_e1174[2][1] - _e438) * _e498) - (_e1208 * _e462));
-                                                    let _e1215 = (_e1211 * _e1201);
-                                                    let _e1216 = (_e1214 * _e1198);
-                                                    let _e1217 = (_e1185 * _e1214);
-                                                    let _e1218 = (_e1188 * _e1211);
-                                                    let _e1219 = (_e1198 * _e1188);
-                                                    let _e1220 = (_e1201 * _e1185);
-                                                    let _e1225 = (((_e1215 >= _e1216) && (_e1217 >= _e1218)) && (_e1219 >= _e1220));
-                                                    if (_e1225 || (((_e1215 <= _e1216) && (_e1217 <= _e1218)) && (_e1219 <= _e1220))) {
-                                                        let _e1232 = select(-1f, 1f, _e1225);
-                                                        let _e1234 = ((_e1215 - _e1216) * _e1232);
-                                                        let _e1236 = select(0f, _e1234, (_e1234 > 0f));
-                                                        let _e1238 = ((_e1217 - _e1218) * _e1232);
-                                                        let _e1240 = select(0f, _e1238, (_e1238 > 0f));
-                                                        let _e1242 = ((_e1219 - _e1220) * _e1232);
-                                                        let _e1244 = select(0f, _e1242, (_e1242 > 0f));
-                                                        let _e1246 = ((_e1236 + _e1240) + _e1244);
-                                                        if (_e1246 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2093_ = type_30();
-                                                            phi_2094_ = true;
-                                                            phi_2095_ = false;
+                                                    let _e1175 = phi_1266_;
+                                                    let _e1183 = (_e1175[0][2] - _e475);
+                                                    let _e1186 = (((_e1175[0][0] - _e402) * _e499) - (_e1183 * _e427));
+                                                    let _e1189 = (((_e1175[0][1] - _e439) * _e499) - (_e1183 * _e463));
+                                                    let _e1196 = (_e1175[1][2] - _e475);
+                                                    let _e1199 = (((_e1175[1][0] - _e402) * _e499) - (_e1196 * _e427));
+                                                    let _e1202 = (((_e1175[1][1] - _e439) * _e499) - (_e1196 * _e463));
+                                                    let _e1209 = (_e1175[2][2] - _e475);
+                                                    let _e1212 = (((_e1175[2][0] - _e402) * _e499) - (_e1209 * _e427));
+                                                    let _e1215 = (((_e1175[2][1] - _e439) * _e499) - (_e1209 * _e463));
+                                                    let _e1216 = (_e1212 * _e1202);
+                                                    let _e1217 = (_e1215 * _e1199);
+                                                    let _e1218 = (_e1186 * _e1215);
+                                                    let _e1219 = (_e1189 * _e1212);
+                                                    let _e1220 = (_e1199 * _e1189);
+                                                    let _e1221 = (_e1202 * _e1186);
+                                                    let _e1226 = (((_e1216 >= _e1217) && (_e1218 >= _e1219)) && (_e1220 >= _e1221));
+                                                    if (_e1226 || (((_e1216 <= _e1217) && (_e1218 <= _e1219)) && (_e1220 <= _e1221))) {
+                                                        let _e1233 = select(-1f, 1f, _e1226);
+                                                        let _e1235 = ((_e1216 - _e1217) * _e1233);
+                                                        let _e1237 = select(0f, _e1235, (_e1235 > 0f));
+                                                        let _e1239 = ((_e1218 - _e1219) * _e1233);
+                                                        let _e1241 = select(0f, _e1239, (_e1239 > 0f));
+                                                        let _e1243 = ((_e1220 - _e1221) * _e1233);
+                                                        let _e1245 = select(0f, _e1243, (_e1243 > 0f));
+                                                        let _e1247 = ((_e1237 + _e1241) + _e1245);
+                                                        if (_e1247 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2091_ = type_30();
+                                                            phi_2092_ = true;
+                                                            phi_2093_ = false;
                                                         } else {
-                                                            let _e1249 = select(_e1198, _e1185, (_e1185 < _e1198));
-                                                            if (select(_e1211, _e1249, (_e1249 < _e1211)) > 0f) {
-                                                                phi_1382_ = true;
+                                                            let _e1250 = select(_e1199, _e1186, (_e1186 < _e1199));
+                                                            if (select(_e1212, _e1250, (_e1250 < _e1212)) > 0f) {
+                                                                phi_1383_ = true;
                                                             } else {
-                                                                let _e1254 = select(_e1198, _e1185, (_e1185 > _e1198));
-                                                                phi_1382_ = (select(_e1211, _e1254, (_e1254 > _e1211)) < 0f);
+                                                                let _e1255 = select(_e1199, _e1186, (_e1186 > _e1199));
+                                                                phi_1383_ = (select(_e1212, _e1255, (_e1255 > _e1212)) < 0f);
                                                             }
-                                                            let _e1259 = phi_1382_;
-                                                            if _e1259 {
-                                                                phi_2090_ = type_30();
-                                                                phi_2091_ = true;
-                                                                phi_2092_ = false;
+                                                            let _e1260 = phi_1383_;
+                                                            if _e1260 {
+                                                                phi_2088_ = type_30();
+                                                                phi_2089_ = true;
+                                                                phi_2090_ = false;
                                                             } else {
-                                                                let _e1261 = select(_e1201, _e1188, (_e1188 < _e1201));
-                                                                if (select(_e1214, _e1261, (_e1261 < _e1214)) > 0f) {
-                                                                    phi_1411_ = true;
+                                                                let _e1262 = select(_e1202, _e1189, (_e1189 < _e1202));
+                                                                if (select(_e1215, _e1262, (_e1262 < _e1215)) > 0f) {
+                                                                    phi_1412_ = true;
                                                                 } else {
-                                                                    let _e1266 = select(_e1201, _e1188, (_e1188 > _e1201));
-                                                                    phi_1411_ = (select(_e1214, _e1266, (_e1266 > _e1214)) < 0f);
+                                                                    let _e1267 = select(_e1202, _e1189, (_e1189 > _e1202));
+                                                                    phi_1412_ = (select(_e1215, _e1267, (_e1267 > _e1215)) < 0f);
                                                                 }
-                                                                let _e1271 = phi_1411_;
-                                                                if _e1271 {
-                                                                    phi_2088_ = type_30();
-                                                                    phi_2089_ = false;
+                                                                let _e1272 = phi_1412_;
+                                                                if _e1272 {
+                                                                    phi_2086_ = type_30();
+                                                                    phi_2087_ = false;
                                                                 } else {
-                                                                    let _e1273 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] < _e1174[1][0]));
-                                                                    let _e1277 = select(_e1174[1][0], _e1174[0][0], (_e1174[0][0] > _e1174[1][0]));
-                                                                    let _e1281 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] < _e1174[1][1]));
-                                                                    let _e1285 = select(_e1174[1][1], _e1174[0][1], (_e1174[0][1] > _e1174[1][1]));
-                                                                    let _e1289 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] < _e1174[1][2]));
-                                                                    let _e1293 = select(_e1174[1][2], _e1174[0][2], (_e1174[0][2] > _e1174[1][2]));
-                                                                    let _e1298 = ((select(_e1174[2][0], _e1273, (_e1273 < _e1174[2][0])) - _e424) * _e429);
-                                                                    let _e1299 = ((select(_e1174[2][0], _e1277, (_e1277 > _e1174[2][0])) - _e425) * _e429);
-                                                                    let _e1302 = ((select(_e1174[2][1], _e1281, (_e1281 < _e1174[2][1])) - _e460) * _e465);
-                                                                    let _e1303 = ((select(_e1174[2][1], _e1285, (_e1285 > _e1174[2][1])) - _e461) * _e465);
-                                                                    let _e1306 = ((select(_e1174[2][2], _e1289, (_e1289 < _e1174[2][2])) - _e496) * _e501);
-                                                                    let _e1307 = ((select(_e1174[2][2], _e1293, (_e1293 > _e1174[2][2])) - _e497) * _e501);
-                                                                    let _e1309 = select(_e1307, _e1306, (_e1306 < _e1307));
-                                                                    let _e1311 = select(_e1307, _e1306, (_e1306 > _e1307));
-                                                                    let _e1313 = select(_e1299, _e1298, (_e1298 < _e1299));
-                                                                    let _e1315 = select(_e1303, _e1302, (_e1302 < _e1303));
-                                                                    let _e1317 = select(_e1315, _e1313, (_e1313 > _e1315));
-                                                                    let _e1319 = select(_e1309, _e1317, (_e1317 > _e1309));
-                                                                    let _e1321 = select(_e1299, _e1298, (_e1298 > _e1299));
-                                                                    let _e1323 = select(_e1303, _e1302, (_e1302 > _e1303));
-                                                                    let _e1325 = select(_e1323, _e1321, (_e1321 < _e1323));
-                                                                    let _e1327 = select(_e1311, _e1325, (_e1325 < _e1311));
-                                                                    let _e1328 = -(_e1309);
-                                                                    let _e1334 = select(_e547, _e1319, (_e1319 > _e547));
-                                                                    if (_e1334 > (_e1327 + (select(_e1328, _e1311, (_e1311 > _e1328)) * 0.0000019073523f))) {
-                                                                        phi_2083_ = type_30();
-                                                                        phi_2084_ = true;
+                                                                    let _e1274 = select(_e1175[1][0], _e1175[0][0], (_e1175[0][0] < _e1175[1][0]));
+                                                                    let _e1278 = select(_e1175[1][0], _e1175[0][0], (_e1175[0][0] > _e1175[1][0]));
+                                                                    let _e1282 = select(_e1175[1][1], _e1175[0][1], (_e1175[0][1] < _e1175[1][1]));
+                                                                    let _e1286 = select(_e1175[1][1], _e1175[0][1], (_e1175[0][1] > _e1175[1][1]));
+                                                                    let _e1290 = select(_e1175[1][2], _e1175[0][2], (_e1175[0][2] < _e1175[1][2]));
+                                                                    let _e1294 = select(_e1175[1][2], _e1175[0][2], (_e1175[0][2] > _e1175[1][2]));
+                                                                    let _e1299 = ((select(_e1175[2][0], _e1274, (_e1274 < _e1175[2][0])) - _e425) * _e430);
+                                                                    let _e1300 = ((select(_e1175[2][0], _e1278, (_e1278 > _e1175[2][0])) - _e426) * _e430);
+                                                                    let _e1303 = ((select(_e1175[2][1], _e1282, (_e1282 < _e1175[2][1])) - _e461) * _e466);
+                                                                    let _e1304 = ((select(_e1175[2][1], _e1286, (_e1286 > _e1175[2][1])) - _e462) * _e466);
+                                                                    let _e1307 = ((select(_e1175[2][2], _e1290, (_e1290 < _e1175[2][2])) - _e497) * _e502);
+                                                                    let _e1308 = ((select(_e1175[2][2], _e1294, (_e1294 > _e1175[2][2])) - _e498) * _e502);
+                                                                    let _e1310 = select(_e1308, _e1307, (_e1307 < _e1308));
+                                                                    let _e1312 = select(_e1308, _e1307, (_e1307 > _e1308));
+                                                                    let _e1314 = select(_e1300, _e1299, (_e1299 < _e1300));
+                                                                    let _e1316 = select(_e1304, _e1303, (_e1303 < _e1304));
+                                                                    let _e1318 = select(_e1316, _e1314, (_e1314 > _e1316));
+                                                                    let _e1320 = select(_e1310, _e1318, (_e1318 > _e1310));
+                                                                    let _e1322 = select(_e1300, _e1299, (_e1299 > _e1300));
+                                                                    let _e1324 = select(_e1304, _e1303, (_e1303 > _e1304));
+                                                                    let _e1326 = select(_e1324, _e1322, (_e1322 < _e1324));
+                                                                    let _e1328 = select(_e1312, _e1326, (_e1326 < _e1312));
+                                                                    let _e1329 = -(_e1310);
+                                                                    let _e1335 = select(_e548, _e1320, (_e1320 > _e548));
+                                                                    if (_e1335 > (_e1328 + (select(_e1329, _e1312, (_e1312 > _e1329)) * 0.0000019073523f))) {
+                                                                        phi_2081_ = type_30();
+                                                                        phi_2082_ = true;
                                                                     } else {
-                                                                        let _e1336 = (_e1334 > _e1078.member);
-                                                                        if _e1336 {
-                                                                            phi_2082_ = type_30();
+                                                                        let _e1337 = (_e1335 > _e1079.member);
+                                                                        if _e1337 {
+                                                                            phi_2080_ = type_30();
                                                                         } else {
-                                                                            let _e1337 = vec3<f32>(_e1174[0][0], _e1174[0][1], _e1174[0][2]);
-                                                                            let _e1338 = vec3<f32>(_e1174[1][0], _e1174[1][1], _e1174[1][2]);
-                                                                            let _e1339 = vec3<f32>(_e1174[2][0], _e1174[2][1], _e1174[2][2]);
-                                                                            let _e1340 = (_e1174[1][0] - _e1174[0][0]);
-                                                                            let _e1341 = (_e1174[1][1] - _e1174[0][1]);
-                                                                            let _e1342 = (_e1174[1][2] - _e1174[0][2]);
-                                                                            let _e1343 = vec3<f32>(_e1340, _e1341, _e1342);
-                                                                            let _e1344 = (_e1174[2][0] - _e1174[1][0]);
-                                                                            let _e1345 = (_e1174[2][1] - _e1174[1][1]);
-                                                                            let _e1346 = (_e1174[2][2] - _e1174[1][2]);
-                                                                            let _e1347 = vec3<f32>(_e1344, _e1345, _e1346);
-                                                                            let _e1348 = (_e1174[0][0] - _e1174[2][0]);
-                                                                            let _e1349 = (_e1174[0][1] - _e1174[2][1]);
-                                                                            let _e1350 = (_e1174[0][2] - _e1174[2][2]);
-                                                                            let _e1351 = vec3<f32>(_e1348, _e1349, _e1350);
-                                                                            let _e1354 = bitcast<f32>((bitcast<u32>(_e1340) & 2147483647u));
-                                                                            let _e1357 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
-                                                                            let _e1359 = select(_e1357, _e1354, (_e1354 > _e1357));
-                                                                            let _e1362 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
-                                                                            let _e1364 = select(_e1362, _e1359, (_e1359 > _e1362));
-                                                                            let _e1367 = bitcast<f32>((bitcast<u32>(_e1344) & 2147483647u));
-                                                                            let _e1370 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
-                                                                            let _e1372 = select(_e1370, _e1367, (_e1367 > _e1370));
-                                                                            let _e1375 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
-                                                                            let _e1377 = select(_e1375, _e1372, (_e1372 > _e1375));
-                                                                            let _e1380 = bitcast<f32>((bitcast<u32>(_e1348) & 2147483647u));
-                                                                            let _e1383 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
-                                                                            let _e1385 = select(_e1383, _e1380, (_e1380 > _e1383));
-                                                                            let _e1388 = bitcast<f32>((bitcast<u32>(_e1350) & 2147483647u));
-                                                                            let _e1390 = select(_e1388, _e1385, (_e1385 > _e1388));
-                                                                            let _e1392 = select(_e1377, _e1364, (_e1364 > _e1377));
-                                                                            let _e1394 = select(_e1390, _e1392, (_e1392 > _e1390));
-                                                                            if (_e1364 == _e1394) {
-                                                                                phi_1812_ = _e1201;
-                                                                                phi_1813_ = _e1198;
-                                                                                phi_1814_ = _e1188;
-                                                                                phi_1815_ = _e1185;
-                                                                                phi_1816_ = _e1337;
-                                                                                phi_1817_ = _e1351;
-                                                                                phi_1818_ = _e1347;
-                                                                                phi_1819_ = _e1343;
+                                                                            let _e1338 = vec3<f32>(_e1175[0][0], _e1175[0][1], _e1175[0][2]);
+                                                                            let _e1339 = vec3<f32>(_e1175[1][0], _e1175[1][1], _e1175[1][2]);
+                                                                            let _e1340 = vec3<f32>(_e1175[2][0], _e1175[2][1], _e1175[2][2]);
+                                                                            let _e1341 = (_e1175[1][0] - _e1175[0][0]);
+                                                                            let _e1342 = (_e1175[1][1] - _e1175[0][1]);
+                                                                            let _e1343 = (_e1175[1][2] - _e1175[0][2]);
+                                                                            let _e1344 = vec3<f32>(_e1341, _e1342, _e1343);
+                                                                            let _e1345 = (_e1175[2][0] - _e1175[1][0]);
+                                                                            let _e1346 = (_e1175[2][1] - _e1175[1][1]);
+                                                                            let _e1347 = (_e1175[2][2] - _e1175[1][2]);
+                                                                            let _e1348 = vec3<f32>(_e1345, _e1346, _e1347);
+                                                                            let _e1349 = (_e1175[0][0] - _e1175[2][0]);
+                                                                            let _e1350 = (_e1175[0][1] - _e1175[2][1]);
+                                                                            let _e1351 = (_e1175[0][2] - _e1175[2][2]);
+                                                                            let _e1352 = vec3<f32>(_e1349, _e1350, _e1351);
+                                                                            let _e1355 = bitcast<f32>((bitcast<u32>(_e1341) & 2147483647u));
+                                                                            let _e1358 = bitcast<f32>((bitcast<u32>(_e1342) & 2147483647u));
+                                                                            let _e1360 = select(_e1358, _e1355, (_e1355 > _e1358));
+                                                                            let _e1363 = bitcast<f32>((bitcast<u32>(_e1343) & 2147483647u));
+                                                                            let _e1365 = select(_e1363, _e1360, (_e1360 > _e1363));
+                                                                            let _e1368 = bitcast<f32>((bitcast<u32>(_e1345) & 2147483647u));
+                                                                            let _e1371 = bitcast<f32>((bitcast<u32>(_e1346) & 2147483647u));
+                                                                            let _e1373 = select(_e1371, _e1368, (_e1368 > _e1371));
+                                                                            let _e1376 = bitcast<f32>((bitcast<u32>(_e1347) & 2147483647u));
+                                                                            let _e1378 = select(_e1376, _e1373, (_e1373 > _e1376));
+                                                                            let _e1381 = bitcast<f32>((bitcast<u32>(_e1349) & 2147483647u));
+                                                                            let _e1384 = bitcast<f32>((bitcast<u32>(_e1350) & 2147483647u));
+                                                                            let _e1386 = select(_e1384, _e1381, (_e1381 > _e1384));
+                                                                            let _e1389 = bitcast<f32>((bitcast<u32>(_e1351) & 2147483647u));
+                                                                            let _e1391 = select(_e1389, _e1386, (_e1386 > _e1389));
+                                                                            let _e1393 = select(_e1378, _e1365, (_e1365 > _e1378));
+                                                                            let _e1395 = select(_e1391, _e1393, (_e1393 > _e1391));
+                                                                            if (_e1365 == _e1395) {
+                                                                                phi_1813_ = _e1202;
+                                                                                phi_1814_ = _e1199;
+                                                                                phi_1815_ = _e1189;
+                                                                                phi_1816_ = _e1186;
+                                                                                phi_1817_ = _e1338;
+                                                                                phi_1818_ = _e1352;
+                                                                                phi_1819_ = _e1348;
+                                                                                phi_1820_ = _e1344;
                                                                             } else {
-                                                                                let _e1396 = (_e1377 == _e1394);
-                                                                                let _e1401 = vec3(_e1396);
-                                                                                phi_1812_ = select(_e1188, _e1214, _e1396);
-                                                                                phi_1813_ = select(_e1185, _e1211, _e1396);
-                                                                                phi_1814_ = select(_e1214, _e1201, _e1396);
-                                                                                phi_1815_ = select(_e1211, _e1198, _e1396);
-                                                                                phi_1816_ = select(_e1339, _e1338, _e1401);
-                                                                                phi_1817_ = select(_e1347, _e1343, _e1401);
-                                                                                phi_1818_ = select(_e1343, _e1351, _e1401);
-                                                                                phi_1819_ = select(_e1351, _e1347, _e1401);
+                                                                                let _e1397 = (_e1378 == _e1395);
+                                                                                let _e1402 = vec3(_e1397);
+                                                                                phi_1813_ = select(_e1189, _e1215, _e1397);
+                                                                                phi_1814_ = select(_e1186, _e1212, _e1397);
+                                                                                phi_1815_ = select(_e1215, _e1202, _e1397);
+                                                                                phi_1816_ = select(_e1212, _e1199, _e1397);
+                                                                                phi_1817_ = select(_e1340, _e1339, _e1402);
+                                                                                phi_1818_ = select(_e1348, _e1344, _e1402);
+                                                                                phi_1819_ = select(_e1344, _e1352, _e1402);
+                                                                                phi_1820_ = select(_e1352, _e1348, _e1402);
                                                                             }
-                                                                            let _e1407 = phi_1812_;
-                                                                            let _e1409 = phi_1813_;
-                                                                            let _e1411 = phi_1814_;
-                                                                            let _e1413 = phi_1815_;
-                                                                            let _e1415 = phi_1816_;
-                                                                            let _e1417 = phi_1817_;
-                                                                            let _e1419 = phi_1818_;
-                                                                            let _e1421 = phi_1819_;
-                                                                            let _e1428 = ((_e1419.y * _e1417.z) - (_e1417.y * _e1419.z));
-                                                                            let _e1433 = ((_e1419.z * _e1417.x) - (_e1417.z * _e1419.x));
-                                                                            let _e1436 = ((_e1419.x * _e1417.y) - (_e1417.x * _e1419.y));
-                                                                            if (_e1236 >= _e1240) {
-                                                                                phi_1850_ = select(true, false, (_e1236 >= _e1244));
+                                                                            let _e1408 = phi_1813_;
+                                                                            let _e1410 = phi_1814_;
+                                                                            let _e1412 = phi_1815_;
+                                                                            let _e1414 = phi_1816_;
+                                                                            let _e1416 = phi_1817_;
+                                                                            let _e1418 = phi_1818_;
+                                                                            let _e1420 = phi_1819_;
+                                                                            let _e1422 = phi_1820_;
+                                                                            let _e1429 = ((_e1420.y * _e1418.z) - (_e1418.y * _e1420.z));
+                                                                            let _e1434 = ((_e1420.z * _e1418.x) - (_e1418.z * _e1420.x));
+                                                                            let _e1437 = ((_e1420.x * _e1418.y) - (_e1418.x * _e1420.y));
+                                                                            if (_e1237 >= _e1241) {
+                                                                                phi_1851_ = select(true, false, (_e1237 >= _e1245));
                                                                             } else {
-                                                                                phi_1850_ = true;
+                                                                                phi_1851_ = true;
                                                                             }
-                                                                            let _e1441 = phi_1850_;
-                                                                            if _e1441 {
-                                                                                phi_1859_ = select(_e1339, _e1338, vec3((_e1240 >= _e1244)));
+                                                                            let _e1442 = phi_1851_;
+                                                                            if _e1442 {
+                                                                                phi_1860_ = select(_e1340, _e1339, vec3((_e1241 >= _e1245)));
                                                                             } else {
-                                                                                phi_1859_ = _e1337;
+                                                                                phi_1860_ = _e1338;
                                                                             }
-                                                                            let _e1446 = phi_1859_;
-                                                                            let _e1451 = (((_e1428 * _e426) + (_e1433 * _e462)) + (_e1436 * _e498));
-                                                                            let _e1462 = (((_e1428 * (_e1446.x - _e401)) + (_e1433 * (_e1446.y - _e438))) + (_e1436 * (_e1446.z - _e474)));
-                                                                            let _e1464 = (_e1409 - _e1413);
-                                                                            let _e1465 = (_e1407 - _e1411);
-                                                                            let _e1473 = (-(((_e1413 * _e1464) + (_e1411 * _e1465))) / ((_e1464 * _e1464) + (_e1465 * _e1465)));
+                                                                            let _e1447 = phi_1860_;
+                                                                            let _e1458 = (((_e1429 * (_e1447.x - _e402)) + (_e1434 * (_e1447.y - _e439))) + (_e1437 * (_e1447.z - _e475)));
+                                                                            let _e1463 = (((_e1429 * _e427) + (_e1434 * _e463)) + (_e1437 * _e499));
+                                                                            let _e1464 = (_e1410 - _e1414);
+                                                                            let _e1465 = (_e1408 - _e1412);
+                                                                            let _e1473 = (-(((_e1414 * _e1464) + (_e1412 * _e1465))) / ((_e1464 * _e1464) + (_e1465 * _e1465)));
                                                                             let _e1475 = select(1f, _e1473, (_e1473 < 1f));
                                                                             let _e1477 = select(0f, _e1475, (_e1475 > 0f));
-                                                                            let _e1490 = ((_e1415.x + (_e1421.x * _e1477)) - _e401);
-                                                                            let _e1491 = ((_e1415.y + (_e1421.y * _e1477)) - _e438);
-                                                                            let _e1492 = ((_e1415.z + (_e1421.z * _e1477)) - _e474);
-                                                                            let _e1493 = (_e1492 / _e498);
+                                                                            let _e1490 = ((_e1416.x + (_e1422.x * _e1477)) - _e402);
+                                                                            let _e1491 = ((_e1416.y + (_e1422.y * _e1477)) - _e439);
+                                                                            let _e1492 = ((_e1416.z + (_e1422.z * _e1477)) - _e475);
+                                                                            let _e1493 = (_e1492 / _e499);
                                                                             let _e1505 = bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u));
                                                                             let _e1508 = bitcast<f32>((bitcast<u32>(_e1491) & 2147483647u));
                                                                             let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
                                                                             let _e1513 = bitcast<f32>((bitcast<u32>(_e1492) & 2147483647u));
                                                                             let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
-                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u));
-                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                            let _e1521 = bitcast<f32>((bitcast<u32>(_e1429) & 2147483647u));
+                                                                            let _e1524 = bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u));
                                                                             let _e1526 = select(_e1524, _e1521, (_e1521 > _e1524));
-                                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
-                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1428 * _e1490) + (_e1433 * _e1491)) + (_e1436 * _e1492)) - _e1462)) & 2147483647u)) <= ((0.0000009536743f * select(_e1394, _e1515, (_e1515 > _e1394))) * select(_e1529, _e1526, (_e1526 > _e1529)))) {
-                                                                                let _e1539 = bitcast<f32>((bitcast<u32>(_e1419.x) & 2147483647u));
-                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1419.y) & 2147483647u));
+                                                                            let _e1529 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1429 * _e1490) + (_e1434 * _e1491)) + (_e1437 * _e1492)) - _e1458)) & 2147483647u)) <= ((0.0000009536743f * select(_e1395, _e1515, (_e1515 > _e1395))) * select(_e1529, _e1526, (_e1526 > _e1529)))) {
+                                                                                let _e1539 = bitcast<f32>((bitcast<u32>(_e1420.x) & 2147483647u));
+                                                                                let _e1542 = bitcast<f32>((bitcast<u32>(_e1420.y) & 2147483647u));
                                                                                 let _e1544 = select(_e1542, _e1539, (_e1539 > _e1542));
-                                                                                let _e1547 = bitcast<f32>((bitcast<u32>(_e1419.z) & 2147483647u));
-                                                                                let _e1553 = bitcast<f32>((bitcast<u32>(_e1417.x) & 2147483647u));
-                                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1417.y) & 2147483647u));
+                                                                                let _e1547 = bitcast<f32>((bitcast<u32>(_e1420.z) & 2147483647u));
+                                                                                let _e1553 = bitcast<f32>((bitcast<u32>(_e1418.x) & 2147483647u));
+                                                                                let _e1556 = bitcast<f32>((bitcast<u32>(_e1418.y) & 2147483647u));
                                                                                 let _e1558 = select(_e1556, _e1553, (_e1553 > _e1556));
-                                                                                let _e1561 = bitcast<f32>((bitcast<u32>(_e1417.z) & 2147483647u));
-                                                                                phi_2026_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)) > ((0.0000038146973f * select(_e1547, _e1544, (_e1544 > _e1547))) * select(_e1561, _e1558, (_e1558 > _e1561)))));
-                                                                            } else {
-                                                                                phi_2026_ = true;
-                                                                            }
-                                                                            let _e1568 = phi_2026_;
-                                                                            if _e1568 {
-                                                                                let _e1579 = ((((_e1428 * (_e1490 - (_e426 * _e1493))) + (_e1433 * (_e1491 - (_e462 * _e1493)))) + (_e1436 * (_e1492 - _e1492))) / _e1451);
-                                                                                if (bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u)) <= _e1394) {
-                                                                                    phi_2050_ = (_e1493 + _e1579);
+                                                                                let _e1561 = bitcast<f32>((bitcast<u32>(_e1418.z) & 2147483647u));
+                                                                                let _e1565 = (bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u)) > ((0.0000038146973f * select(_e1547, _e1544, (_e1544 > _e1547))) * select(_e1561, _e1558, (_e1558 > _e1561))));
+                                                                                if _e1565 {
+                                                                                    phi_2025_ = (_e1458 / _e1463);
                                                                                 } else {
-                                                                                    phi_2050_ = _e1493;
+                                                                                    phi_2025_ = f32();
                                                                                 }
-                                                                                let _e1586 = phi_2050_;
-                                                                                phi_2051_ = _e1586;
+                                                                                let _e1568 = phi_2025_;
+                                                                                phi_2027_ = _e1568;
+                                                                                phi_2028_ = select(true, false, _e1565);
                                                                             } else {
-                                                                                phi_2051_ = (_e1462 / _e1451);
+                                                                                phi_2027_ = f32();
+                                                                                phi_2028_ = true;
                                                                             }
-                                                                            let _e1588 = phi_2051_;
-                                                                            let _e1590 = select(_e1327, _e1588, (_e1588 < _e1327));
-                                                                            let _e1592 = select(_e1319, _e1590, (_e1590 > _e1319));
-                                                                            if (_e1592 >= _e547) {
-                                                                                let _e1594 = (_e1592 <= _e1078.member);
-                                                                                if _e1594 {
-                                                                                    let _e1595 = (1f / _e1246);
-                                                                                    phi_2074_ = type_30(_e1592, (_e1240 * _e1595), (_e1244 * _e1595), _e1107);
+                                                                            let _e1571 = phi_2027_;
+                                                                            let _e1573 = phi_2028_;
+                                                                            if _e1573 {
+                                                                                let _e1581 = (((_e1429 * (_e1490 - (_e427 * _e1493))) + (_e1434 * (_e1491 - (_e463 * _e1493)))) / _e1463);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) <= _e1395) {
+                                                                                    phi_2048_ = (_e1493 + _e1581);
                                                                                 } else {
-                                                                                    phi_2074_ = type_30();
+                                                                                    phi_2048_ = _e1493;
                                                                                 }
-                                                                                let _e1600 = phi_2074_;
-                                                                                phi_2076_ = _e1600;
-                                                                                phi_2077_ = select(true, false, _e1594);
+                                                                                let _e1588 = phi_2048_;
+                                                                                phi_2049_ = _e1588;
                                                                             } else {
-                                                                                phi_2076_ = type_30();
-                                                                                phi_2077_ = true;
+                                                                                phi_2049_ = _e1571;
                                                                             }
-                                                                            let _e1603 = phi_2076_;
-                                                                            let _e1605 = phi_2077_;
-                                                                            if _e1605 {
-                                                                                phi_2081_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            let _e1590 = phi_2049_;
+                                                                            let _e1592 = select(_e1328, _e1590, (_e1590 < _e1328));
+                                                                            let _e1594 = select(_e1320, _e1592, (_e1592 > _e1320));
+                                                                            if (_e1594 >= _e548) {
+                                                                                let _e1596 = (_e1594 <= _e1079.member);
+                                                                                if _e1596 {
+                                                                                    let _e1597 = (1f / _e1247);
+                                                                                    phi_2072_ = type_30(_e1594, (_e1241 * _e1597), (_e1245 * _e1597), _e1108);
+                                                                                } else {
+                                                                                    phi_2072_ = type_30();
+                                                                                }
+                                                                                let _e1602 = phi_2072_;
+                                                                                phi_2074_ = _e1602;
+                                                                                phi_2075_ = select(true, false, _e1596);
                                                                             } else {
-                                                                                phi_2081_ = _e1603;
+                                                                                phi_2074_ = type_30();
+                                                                                phi_2075_ = true;
                                                                             }
-                                                                            let _e1607 = phi_2081_;
-                                                                            phi_2082_ = _e1607;
+                                                                            let _e1605 = phi_2074_;
+                                                                            let _e1607 = phi_2075_;
+                                                                            if _e1607 {
+                                                                                phi_2079_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2079_ = _e1605;
+                                                                            }
+                                                                            let _e1609 = phi_2079_;
+                                                                            phi_2080_ = _e1609;
                                                                         }
-                                                                        let _e1609 = phi_2082_;
-                                                                        phi_2083_ = _e1609;
-                                                                        phi_2084_ = _e1336;
+                                                                        let _e1611 = phi_2080_;
+                                                                        phi_2081_ = _e1611;
+                                                                        phi_2082_ = _e1337;
                                                                     }
-                                                                    let _e1611 = phi_2083_;
-                                                                    let _e1613 = phi_2084_;
-                                                                    phi_2088_ = _e1611;
-                                                                    phi_2089_ = _e1613;
+                                                                    let _e1613 = phi_2081_;
+                                                                    let _e1615 = phi_2082_;
+                                                                    phi_2086_ = _e1613;
+                                                                    phi_2087_ = _e1615;
                                                                 }
-                                                                let _e1615 = phi_2088_;
-                                                                let _e1617 = phi_2089_;
-                                                                phi_2090_ = _e1615;
-                                                                phi_2091_ = _e1271;
-                                                                phi_2092_ = _e1617;
+                                                                let _e1617 = phi_2086_;
+                                                                let _e1619 = phi_2087_;
+                                                                phi_2088_ = _e1617;
+                                                                phi_2089_ = _e1272;
+                                                                phi_2090_ = _e1619;
                                                             }
-                                                            let _e1619 = phi_2090_;
-                                                            let _e1621 = phi_2091_;
-                                                            let _e1623 = phi_2092_;
-                                                            phi_2093_ = _e1619;
-                                                            phi_2094_ = _e1621;
-                                                            phi_2095_ = _e1623;
+                                                            let _e1621 = phi_2088_;
+                                                            let _e1623 = phi_2089_;
+                                                            let _e1625 = phi_2090_;
+                                                            phi_2091_ = _e1621;
+                                                            phi_2092_ = _e1623;
+                                                            phi_2093_ = _e1625;
                                                         }
-                                                        let _e1625 = phi_2093_;
-                                                        let _e1627 = phi_2094_;
-                                                        let _e1629 = phi_2095_;
-                                                        phi_2103_ = _e1625;
-                                                        phi_2104_ = select(_e1629, true, _e1627);
+                                                        let _e1627 = phi_2091_;
+                                                        let _e1629 = phi_2092_;
+                                                        let _e1631 = phi_2093_;
+                                                        phi_2101_ = _e1627;
+                                                        phi_2102_ = select(_e1631, true, _e1629);
                                                     } else {
-                                                        phi_2103_ = type_30();
-                                                        phi_2104_ = true;
+                                                        phi_2101_ = type_30();
+                                                        phi_2102_ = true;
                                                     }
-                                                    let _e1632 = phi_2103_;
-                                                    let _e1634 = phi_2104_;
-                                                    if _e1634 {
-                                                        phi_2108_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1634 = phi_2101_;
+                                                    let _e1636 = phi_2102_;
+                                                    if _e1636 {
+                                                        phi_2106_ = type_30(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2108_ = _e1632;
+                                                        phi_2106_ = _e1634;
                                                     }
-                                                    let _e1636 = phi_2108_;
-                                                    if (_e1636.member_3 != 4294967295u) {
-                                                        if (_e1107 == _e164) {
-                                                            phi_2437_ = false;
+                                                    let _e1638 = phi_2106_;
+                                                    if (_e1638.member_3 != 4294967295u) {
+                                                        if (_e1108 == _e165) {
+                                                            phi_2435_ = false;
                                                         } else {
-                                                            let _e1640 = (_e1107 < arrayLength((&global_7.member)));
-                                                            if _e1640 {
-                                                                if _e1640 {
+                                                            let _e1642 = (_e1108 < arrayLength((&global_7.member)));
+                                                            if _e1642 {
+                                                                if _e1642 {
                                                                 } else {
-                                                                    phi_3907_ = true;
+                                                                    phi_3905_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1642 = global_7.member[_e1107];
-                                                                phi_2131_ = _e1642;
+                                                                let _e1644 = global_7.member[_e1108];
+                                                                phi_2129_ = _e1644;
                                                             } else {
-                                                                phi_2131_ = 4294967295u;
+                                                                phi_2129_ = 4294967295u;
                                                             }
-                                                            let _e1644 = phi_2131_;
-                                                            let _e1645 = (_e1644 < arrayLength((&global_8.member)));
-                                                            if _e1645 {
-                                                                if _e1645 {
+                                                            let _e1646 = phi_2129_;
+                                                            let _e1647 = (_e1646 < arrayLength((&global_8.member)));
+                                                            if _e1647 {
+                                                                if _e1647 {
                                                                 } else {
-                                                                    phi_3907_ = true;
+                                                                    phi_3905_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1647 = global_8.member[_e1644];
-                                                                phi_2145_ = _e1647;
+                                                                let _e1649 = global_8.member[_e1646];
+                                                                phi_2143_ = _e1649;
                                                             } else {
-                                                                phi_2145_ = 0i;
+                                                                phi_2143_ = 0i;
                                                             }
-                                                            let _e1649 = phi_2145_;
-                                                            let _e1650 = (_e1649 == 0i);
-                                                            if _e1650 {
-                                                                phi_2436_ = true;
+                                                            let _e1651 = phi_2143_;
+                                                            let _e1652 = (_e1651 == 0i);
+                                                            if _e1652 {
+                                                                phi_2434_ = true;
                                                             } else {
-                                                                if _e393 {
-                                                                    phi_2166_ = vec3<f32>(_e1174[0][0], _e1174[0][1], _e1174[0][2]);
+                                                                if _e394 {
+                                                                    phi_2164_ = vec3<f32>(_e1175[0][0], _e1175[0][1], _e1175[0][2]);
                                                                 } else {
-                                                                    if (_e369 == 1u) {
-                                                                        phi_2165_ = vec3<f32>(_e1174[0][2], _e1174[0][0], _e1174[0][1]);
+                                                                    if (_e370 == 1u) {
+                                                                        phi_2163_ = vec3<f32>(_e1175[0][2], _e1175[0][0], _e1175[0][1]);
                                                                     } else {
-                                                                        phi_2165_ = vec3<f32>(_e1174[0][1], _e1174[0][2], _e1174[0][0]);
+                                                                        phi_2163_ = vec3<f32>(_e1175[0][1], _e1175[0][2], _e1175[0][0]);
                                                                     }
-                                                                    let _e1655 = phi_2165_;
-                                                                    phi_2166_ = _e1655;
+                                                                    let _e1657 = phi_2163_;
+                                                                    phi_2164_ = _e1657;
                                                                 }
-                                                                let _e1658 = phi_2166_;
-                                                                if _e393 {
-                                                                    phi_2183_ = vec3<f32>(_e1174[1][0], _e1174[1][1], _e1174[1][2]);
+                                                                let _e1660 = phi_2164_;
+                                                                if _e394 {
+                                                                    phi_2181_ = vec3<f32>(_e1175[1][0], _e1175[1][1], _e1175[1][2]);
                                                                 } else {
-                                                                    if (_e369 == 1u) {
-                                                                        phi_2182_ = vec3<f32>(_e1174[1][2], _e1174[1][0], _e1174[1][1]);
+                                                                    if (_e370 == 1u) {
+                                                                        phi_2180_ = vec3<f32>(_e1175[1][2], _e1175[1][0], _e1175[1][1]);
                                                                     } else {
-                                                                        phi_2182_ = vec3<f32>(_e1174[1][1], _e1174[1][2], _e1174[1][0]);
+                                                                        phi_2180_ = vec3<f32>(_e1175[1][1], _e1175[1][2], _e1175[1][0]);
                                                                     }
-                                                                    let _e1663 = phi_2182_;
-                                                                    phi_2183_ = _e1663;
+                                                                    let _e1665 = phi_2180_;
+                                                                    phi_2181_ = _e1665;
                                                                 }
-                                                                let _e1666 = phi_2183_;
-                                                                if _e393 {
-                                                                    phi_2200_ = vec3<f32>(_e1174[2][0], _e1174[2][1], _e1174[2][2]);
+                                                                let _e1668 = phi_2181_;
+                                                                if _e394 {
+                                                                    phi_2198_ = vec3<f32>(_e1175[2][0], _e1175[2][1], _e1175[2][2]);
                                                                 } else {
-                                                                    if (_e369 == 1u) {
-                                                                        phi_2199_ = vec3<f32>(_e1174[2][2], _e1174[2][0], _e1174[2][1]);
+                                                                    if (_e370 == 1u) {
+                                                                        phi_2197_ = vec3<f32>(_e1175[2][2], _e1175[2][0], _e1175[2][1]);
                                                                     } else {
-                                                                        phi_2199_ = vec3<f32>(_e1174[2][1], _e1174[2][2], _e1174[2][0]);
+                                                                        phi_2197_ = vec3<f32>(_e1175[2][1], _e1175[2][2], _e1175[2][0]);
                                                                     }
-                                                                    let _e1671 = phi_2199_;
-                                                                    phi_2200_ = _e1671;
+                                                                    let _e1673 = phi_2197_;
+                                                                    phi_2198_ = _e1673;
                                                                 }
-                                                                let _e1674 = phi_2200_;
-                                                                let _e1677 = (_e1666.x - _e1658.x);
-                                                                let _e1680 = (_e1666.y - _e1658.y);
-                                                                let _e1683 = (_e1666.z - _e1658.z);
-                                                                let _e1685 = (_e1674.x - _e1658.x);
-                                                                let _e1687 = (_e1674.y - _e1658.y);
-                                                                let _e1689 = (_e1674.z - _e1658.z);
-                                                                if (_e236.member_1 == 1u) {
-                                                                    phi_2236_ = (vec3<f32>(_e236.member[0], _e236.member[1], _e236.member[2]) - _e1658);
+                                                                let _e1676 = phi_2198_;
+                                                                let _e1679 = (_e1668.x - _e1660.x);
+                                                                let _e1682 = (_e1668.y - _e1660.y);
+                                                                let _e1685 = (_e1668.z - _e1660.z);
+                                                                let _e1687 = (_e1676.x - _e1660.x);
+                                                                let _e1689 = (_e1676.y - _e1660.y);
+                                                                let _e1691 = (_e1676.z - _e1660.z);
+                                                                if (_e237.member_1 == 1u) {
+                                                                    phi_2234_ = (vec3<f32>(_e237.member[0], _e237.member[1], _e237.member[2]) - _e1660);
                                                                 } else {
-                                                                    phi_2236_ = vec3<f32>(_e236.member[0], _e236.member[1], _e236.member[2]);
+                                                                    phi_2234_ = vec3<f32>(_e237.member[0], _e237.member[1], _e237.member[2]);
                                                                 }
-                                                                let _e1704 = phi_2236_;
-                                                                let _e1710 = bitcast<f32>((bitcast<u32>((_e1677 * _e1687)) ^ _e236.member_3[0]));
-                                                                let _e1714 = bitcast<f32>((bitcast<u32>((_e1680 * _e1685)) ^ _e236.member_3[0]));
-                                                                let _e1718 = bitcast<f32>((bitcast<u32>((_e1680 * _e1689)) ^ _e236.member_3[0]));
-                                                                let _e1722 = bitcast<f32>((bitcast<u32>((_e1683 * _e1687)) ^ _e236.member_3[0]));
-                                                                let _e1726 = bitcast<f32>((bitcast<u32>((_e1683 * _e1685)) ^ _e236.member_3[0]));
-                                                                let _e1730 = bitcast<f32>((bitcast<u32>((_e1677 * _e1689)) ^ _e236.member_3[0]));
-                                                                let _e1731 = (_e1718 - _e1722);
-                                                                let _e1732 = (_e1726 - _e1730);
-                                                                let _e1733 = (_e1710 - _e1714);
-                                                                let _e1757 = (bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u)));
-                                                                let _e1764 = (bitcast<f32>((bitcast<u32>(_e1726) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1730) & 2147483647u)));
-                                                                let _e1771 = (bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1714) & 2147483647u)));
-                                                                if (_e236.member_2 == 0f) {
-                                                                    phi_2418_ = 0f;
+                                                                let _e1706 = phi_2234_;
+                                                                let _e1712 = bitcast<f32>((bitcast<u32>((_e1679 * _e1689)) ^ _e237.member_3[0]));
+                                                                let _e1716 = bitcast<f32>((bitcast<u32>((_e1682 * _e1687)) ^ _e237.member_3[0]));
+                                                                let _e1720 = bitcast<f32>((bitcast<u32>((_e1682 * _e1691)) ^ _e237.member_3[0]));
+                                                                let _e1724 = bitcast<f32>((bitcast<u32>((_e1685 * _e1689)) ^ _e237.member_3[0]));
+                                                                let _e1728 = bitcast<f32>((bitcast<u32>((_e1685 * _e1687)) ^ _e237.member_3[0]));
+                                                                let _e1732 = bitcast<f32>((bitcast<u32>((_e1679 * _e1691)) ^ _e237.member_3[0]));
+                                                                let _e1733 = (_e1720 - _e1724);
+                                                                let _e1734 = (_e1728 - _e1732);
+                                                                let _e1735 = (_e1712 - _e1716);
+                                                                let _e1759 = (bitcast<f32>((bitcast<u32>(_e1720) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1724) & 2147483647u)));
+                                                                let _e1766 = (bitcast<f32>((bitcast<u32>(_e1728) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1732) & 2147483647u)));
+                                                                let _e1773 = (bitcast<f32>((bitcast<u32>(_e1712) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1716) & 2147483647u)));
+                                                                if (_e237.member_2 == 0f) {
+                                                                    phi_2416_ = 0f;
                                                                 } else {
-                                                                    let _e1801 = bitcast<f32>((bitcast<u32>(_e1731) & 2147483647u));
-                                                                    let _e1804 = bitcast<f32>((bitcast<u32>(_e1732) & 2147483647u));
-                                                                    let _e1807 = bitcast<f32>((bitcast<u32>(_e1733) & 2147483647u));
-                                                                    let _e1809 = select(_e1807, _e1804, (_e1804 > _e1807));
-                                                                    let _e1813 = select(_e1807, _e1804, (_e1804 < _e1807));
-                                                                    let _e1817 = select(_e1804, _e1801, (_e1801 < _e1804));
-                                                                    let _e1819 = select(_e1804, _e1801, (_e1801 > _e1804));
-                                                                    let _e1821 = select(_e1807, _e1819, (_e1819 < _e1807));
-                                                                    phi_2418_ = bitcast<f32>((bitcast<u32>((_e236.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1809, _e1801, (_e1801 > _e1809)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1821, _e1817, (_e1817 > _e1821)))) ^ _e236.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1813, _e1801, (_e1801 < _e1813)))) ^ _e236.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1757 + _e1764) + _e1771))) ^ _e236.member_3[0]))) * 1.0000005f)) ^ _e236.member_3[0])))) ^ _e236.member_3[0]));
+                                                                    let _e1803 = bitcast<f32>((bitcast<u32>(_e1733) & 2147483647u));
+                                                                    let _e1806 = bitcast<f32>((bitcast<u32>(_e1734) & 2147483647u));
+                                                                    let _e1809 = bitcast<f32>((bitcast<u32>(_e1735) & 2147483647u));
+                                                                    let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
+                                                                    let _e1815 = select(_e1809, _e1806, (_e1806 < _e1809));
+                                                                    let _e1819 = select(_e1806, _e1803, (_e1803 < _e1806));
+                                                                    let _e1821 = select(_e1806, _e1803, (_e1803 > _e1806));
+                                                                    let _e1823 = select(_e1809, _e1821, (_e1821 < _e1809));
+                                                                    phi_2416_ = bitcast<f32>((bitcast<u32>((_e237.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1811, _e1803, (_e1803 > _e1811)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1823, _e1819, (_e1819 > _e1823)))) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1815, _e1803, (_e1803 < _e1815)))) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1759 + _e1766) + _e1773))) ^ _e237.member_3[0]))) * 1.0000005f)) ^ _e237.member_3[0])))) ^ _e237.member_3[0]));
                                                                 }
-                                                                let _e1848 = phi_2418_;
-                                                                phi_2436_ = (_e1650 || !(((((bitcast<f32>((bitcast<u32>((_e1704.x * _e1731)) ^ _e236.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1704.y * _e1732)) ^ _e236.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1704.z * _e1733)) ^ _e236.member_3[0]))) * f32(-(_e1649))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1704.x) & 2147483647u)) * _e1757)) ^ _e236.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1704.y) & 2147483647u)) * _e1764)) ^ _e236.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1704.z) & 2147483647u)) * _e1771)) ^ _e236.member_3[0]))))) ^ _e236.member_3[0])) + _e1848) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1850 = phi_2416_;
+                                                                phi_2434_ = (_e1652 || !(((((bitcast<f32>((bitcast<u32>((_e1706.x * _e1733)) ^ _e237.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1706.y * _e1734)) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1706.z * _e1735)) ^ _e237.member_3[0]))) * f32(-(_e1651))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1706.x) & 2147483647u)) * _e1759)) ^ _e237.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1706.y) & 2147483647u)) * _e1766)) ^ _e237.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1706.z) & 2147483647u)) * _e1773)) ^ _e237.member_3[0]))))) ^ _e237.member_3[0])) + _e1850) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1862 = phi_2436_;
-                                                            phi_2437_ = _e1862;
+                                                            let _e1864 = phi_2434_;
+                                                            phi_2435_ = _e1864;
                                                         }
-                                                        let _e1864 = phi_2437_;
-                                                        if _e1864 {
-                                                            phi_2442_ = type_51(_e1078.member, true);
+                                                        let _e1866 = phi_2435_;
+                                                        if _e1866 {
+                                                            phi_2440_ = type_51(_e1079.member, true);
                                                         } else {
-                                                            phi_2442_ = _e1078;
+                                                            phi_2440_ = _e1079;
                                                         }
-                                                        let _e1869 = phi_2442_;
-                                                        phi_2443_ = _e1869;
+                                                        let _e1871 = phi_2440_;
+                                                        phi_2441_ = _e1871;
                                                     } else {
-                                                        phi_2443_ = _e1078;
+                                                        phi_2441_ = _e1079;
                                                     }
-                                                    let _e1871 = phi_2443_;
-                                                    phi_1130_ = _e1871;
+                                                    let _e1873 = phi_2441_;
+                                                    phi_1131_ = _e1873;
                                                 } else {
-                                                    phi_1130_ = type_51();
+                                                    phi_1131_ = type_51();
                                                 }
-                                                let _e1873 = phi_1130_;
+                                                let _e1875 = phi_1131_;
                                                 continue;
                                                 continuing {
-                                                    phi_1129_ = _e1873;
-                                                    phi_1132_ = _e1093;
-                                                    phi_3907_ = _e589;
-                                                    break if !(_e1099);
+                                                    phi_1130_ = _e1875;
+                                                    phi_1133_ = _e1094;
+                                                    phi_3905_ = _e590;
+                                                    break if !(_e1100);
                                                 }
                                             }
-                                            let _e1876 = phi_3907_;
-                                            phi_4073_ = _e1876;
-                                            if _e1876 {
+                                            let _e1878 = phi_3905_;
+                                            phi_4071_ = _e1878;
+                                            if _e1878 {
                                                 break;
                                             }
-                                            let _e1878 = local_10;
-                                            phi_4077_ = _e1876;
-                                            let _e2082 = local_12;
-                                            phi_3649_ = _e2082;
-                                            phi_3650_ = _e630;
-                                            phi_3651_ = false;
-                                            phi_3652_ = select(_e634, 0u, _e1878.member_1);
+                                            let _e1880 = local_10;
+                                            phi_4075_ = _e1878;
+                                            let _e2086 = local_12;
+                                            phi_3647_ = _e2086;
+                                            phi_3648_ = _e631;
+                                            phi_3649_ = false;
+                                            phi_3650_ = select(_e635, 0u, _e1880.member_1);
                                         } else {
-                                            if (_e630.member_1 >= _e97) {
-                                                phi_3205_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e631.member_1 >= _e98) {
+                                                phi_3203_ = type_64(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_63(type_39(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e630.member_1 < _e97) {
+                                                if (_e631.member_1 < _e98) {
                                                 } else {
-                                                    phi_4073_ = true;
+                                                    phi_4071_ = true;
                                                     break;
                                                 }
-                                                let _e646 = ((1u + _e369) % 4u);
-                                                if (_e646 < 4u) {
+                                                let _e647 = ((1u + _e370) % 4u);
+                                                if (_e647 < 4u) {
                                                 } else {
-                                                    phi_4073_ = true;
+                                                    phi_4071_ = true;
                                                     break;
                                                 }
-                                                let _e651 = global_5.member[_e630.member_1][_e646];
-                                                let _e653 = (_e651 >> bitcast<u32>(11u));
-                                                let _e655 = ((1u + _e368) % 4u);
-                                                if (_e655 < 4u) {
+                                                let _e652 = global_5.member[_e631.member_1][_e647];
+                                                let _e654 = (_e652 >> bitcast<u32>(11u));
+                                                let _e656 = ((1u + _e369) % 4u);
+                                                if (_e656 < 4u) {
                                                 } else {
-                                                    phi_4073_ = true;
+                                                    phi_4071_ = true;
                                                     break;
                                                 }
-                                                let _e660 = global_5.member[_e630.member_1][_e655];
-                                                let _e662 = (_e660 >> bitcast<u32>(11u));
-                                                let _e664 = ((1u + _e370) % 4u);
-                                                if (_e664 < 4u) {
+                                                let _e661 = global_5.member[_e631.member_1][_e656];
+                                                let _e663 = (_e661 >> bitcast<u32>(11u));
+                                                let _e665 = ((1u + _e371) % 4u);
+                                                if (_e665 < 4u) {
                                                 } else {
-                                                    phi_4073_ = true;
+                                                    phi_4071_ = true;
                                                     break;
                                                 }
-                                                let _e669 = global_5.member[_e630.member_1][_e664];
-                                                let _e671 = (_e669 >> bitcast<u32>(11u));
-                                                let _e694 = (bitcast<f32>((bitcast<u32>((_e630.member.member_1.x - _e630.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e695 = (bitcast<f32>((bitcast<u32>((_e630.member.member_1.y - _e630.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e696 = (bitcast<f32>((bitcast<u32>((_e630.member.member_1.z - _e630.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e698 = select(_e155, _e694, (_e694 > _e155));
-                                                let _e700 = select(_e155, _e695, (_e695 > _e155));
-                                                let _e702 = select(_e155, _e696, (_e696 > _e155));
-                                                let _e727 = bitcast<u32>((f32(bitcast<i32>((_e651 & 1023u))) * _e698));
-                                                let _e732 = (bitcast<i32>((_e651 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e735 = bitcast<f32>((_e727 & bitcast<u32>(_e732)));
-                                                let _e736 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e700));
-                                                let _e741 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e744 = bitcast<f32>((_e736 & bitcast<u32>(_e741)));
-                                                let _e745 = bitcast<u32>((f32(bitcast<i32>((_e669 & 1023u))) * _e702));
-                                                let _e750 = (bitcast<i32>((_e669 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e753 = bitcast<f32>((_e745 & bitcast<u32>(_e750)));
-                                                let _e757 = bitcast<f32>((_e727 & bitcast<u32>(~(_e732))));
-                                                let _e761 = bitcast<f32>((_e736 & bitcast<u32>(~(_e741))));
-                                                let _e765 = bitcast<f32>((_e745 & bitcast<u32>(~(_e750))));
-                                                let _e766 = bitcast<u32>((f32(bitcast<i32>((_e653 & 1023u))) * _e698));
-                                                let _e771 = (bitcast<i32>((_e653 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e774 = bitcast<f32>((_e766 & bitcast<u32>(_e771)));
-                                                let _e775 = bitcast<u32>((f32(bitcast<i32>((_e662 & 1023u))) * _e700));
-                                                let _e780 = (bitcast<i32>((_e662 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e783 = bitcast<f32>((_e775 & bitcast<u32>(_e780)));
-                                                let _e784 = bitcast<u32>((f32(bitcast<i32>((_e671 & 1023u))) * _e702));
-                                                let _e789 = (bitcast<i32>((_e671 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e792 = bitcast<f32>((_e784 & bitcast<u32>(_e789)));
-                                                let _e796 = bitcast<f32>((_e766 & bitcast<u32>(~(_e771))));
-                                                let _e800 = bitcast<f32>((_e775 & bitcast<u32>(~(_e780))));
-                                                let _e804 = bitcast<f32>((_e784 & bitcast<u32>(~(_e789))));
-                                                let _e834 = global_5.member[_e630.member_1][0u];
-                                                let _e838 = global_5.member[_e630.member_1][1u];
-                                                let _e842 = global_5.member[_e630.member_1][2u];
-                                                let _e846 = global_5.member[_e630.member_1][3u];
-                                                let _e858 = (((_e838 >> bitcast<u32>(22i)) | ((_e842 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e846 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e859 = (_e834 & 268435455u);
-                                                let _e860 = (_e858 & 268435455u);
-                                                let _e863 = ((_e834 >> bitcast<u32>(28u)) & 7u);
-                                                let _e871 = ((_e834 >> bitcast<u32>(31i)) | (((_e858 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e872 = (_e863 != 0u);
-                                                if (_e863 == 0u) {
-                                                    phi_3167_ = _e859;
+                                                let _e670 = global_5.member[_e631.member_1][_e665];
+                                                let _e672 = (_e670 >> bitcast<u32>(11u));
+                                                let _e695 = (bitcast<f32>((bitcast<u32>((_e631.member.member_1.x - _e631.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e696 = (bitcast<f32>((bitcast<u32>((_e631.member.member_1.y - _e631.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e697 = (bitcast<f32>((bitcast<u32>((_e631.member.member_1.z - _e631.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e699 = select(_e156, _e695, (_e695 > _e156));
+                                                let _e701 = select(_e156, _e696, (_e696 > _e156));
+                                                let _e703 = select(_e156, _e697, (_e697 > _e156));
+                                                let _e728 = bitcast<u32>((f32(bitcast<i32>((_e652 & 1023u))) * _e699));
+                                                let _e733 = (bitcast<i32>((_e652 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e736 = bitcast<f32>((_e728 & bitcast<u32>(_e733)));
+                                                let _e737 = bitcast<u32>((f32(bitcast<i32>((_e661 & 1023u))) * _e701));
+                                                let _e742 = (bitcast<i32>((_e661 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e745 = bitcast<f32>((_e737 & bitcast<u32>(_e742)));
+                                                let _e746 = bitcast<u32>((f32(bitcast<i32>((_e670 & 1023u))) * _e703));
+                                                let _e751 = (bitcast<i32>((_e670 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e754 = bitcast<f32>((_e746 & bitcast<u32>(_e751)));
+                                                let _e758 = bitcast<f32>((_e728 & bitcast<u32>(~(_e733))));
+                                                let _e762 = bitcast<f32>((_e737 & bitcast<u32>(~(_e742))));
+                                                let _e766 = bitcast<f32>((_e746 & bitcast<u32>(~(_e751))));
+                                                let _e767 = bitcast<u32>((f32(bitcast<i32>((_e654 & 1023u))) * _e699));
+                                                let _e772 = (bitcast<i32>((_e654 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e775 = bitcast<f32>((_e767 & bitcast<u32>(_e772)));
+                                                let _e776 = bitcast<u32>((f32(bitcast<i32>((_e663 & 1023u))) * _e701));
+                                                let _e781 = (bitcast<i32>((_e663 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e784 = bitcast<f32>((_e776 & bitcast<u32>(_e781)));
+                                                let _e785 = bitcast<u32>((f32(bitcast<i32>((_e672 & 1023u))) * _e703));
+                                                let _e790 = (bitcast<i32>((_e672 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e793 = bitcast<f32>((_e785 & bitcast<u32>(_e790)));
+                                                let _e797 = bitcast<f32>((_e767 & bitcast<u32>(~(_e772))));
+                                                let _e801 = bitcast<f32>((_e776 & bitcast<u32>(~(_e781))));
+                                                let _e805 = bitcast<f32>((_e785 & bitcast<u32>(~(_e790))));
+                                                let _e835 = global_5.member[_e631.member_1][0u];
+                                                let _e839 = global_5.member[_e631.member_1][1u];
+                                                let _e843 = global_5.member[_e631.member_1][2u];
+                                                let _e847 = global_5.member[_e631.member_1][3u];
+                                                let _e859 = (((_e839 >> bitcast<u32>(22i)) | ((_e843 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e847 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e860 = (_e835 & 268435455u);
+                                                let _e861 = (_e859 & 268435455u);
+                                                let _e864 = ((_e835 >> bitcast<u32>(28u)) & 7u);
+                                                let _e872 = ((_e835 >> bitcast<u32>(31i)) | (((_e859 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e873 = (_e864 != 0u);
+                                                if (_e864 == 0u) {
+                                                    phi_3165_ = _e860;
                                                 } else {
-                                                    if (_e863 == 7u) {
-                                                        phi_3166_ = 2147483648u;
+                                                    if (_e864 == 7u) {
+                                                        phi_3164_ = 2147483648u;
                                                     } else {
-                                                        phi_3166_ = ((2147483648u | (_e863 << bitcast<u32>(28u))) | (_e860 & 268435455u));
+                                                        phi_3164_ = ((2147483648u | (_e864 << bitcast<u32>(28u))) | (_e861 & 268435455u));
                                                     }
-                                                    let _e881 = phi_3166_;
-                                                    phi_3167_ = _e881;
+                                                    let _e882 = phi_3164_;
+                                                    phi_3165_ = _e882;
                                                 }
-                                                let _e883 = phi_3167_;
-                                                if _e872 {
-                                                    let _e884 = (_e863 != 7u);
-                                                    if _e884 {
-                                                        phi_3177_ = (_e860 + _e863);
+                                                let _e884 = phi_3165_;
+                                                if _e873 {
+                                                    let _e885 = (_e864 != 7u);
+                                                    if _e885 {
+                                                        phi_3175_ = (_e861 + _e864);
                                                     } else {
-                                                        phi_3177_ = u32();
+                                                        phi_3175_ = u32();
                                                     }
-                                                    let _e887 = phi_3177_;
-                                                    phi_3179_ = _e887;
-                                                    phi_3180_ = select(true, false, _e884);
+                                                    let _e888 = phi_3175_;
+                                                    phi_3177_ = _e888;
+                                                    phi_3178_ = select(true, false, _e885);
                                                 } else {
-                                                    phi_3179_ = u32();
-                                                    phi_3180_ = true;
+                                                    phi_3177_ = u32();
+                                                    phi_3178_ = true;
                                                 }
-                                                let _e890 = phi_3179_;
-                                                let _e892 = phi_3180_;
-                                                if (_e871 == 0u) {
-                                                    phi_3201_ = (_e859 + select(0u, 1u, !(_e872)));
+                                                let _e891 = phi_3177_;
+                                                let _e893 = phi_3178_;
+                                                if (_e872 == 0u) {
+                                                    phi_3199_ = (_e860 + select(0u, 1u, !(_e873)));
                                                 } else {
-                                                    if (_e871 == 7u) {
-                                                        phi_3200_ = 2147483648u;
+                                                    if (_e872 == 7u) {
+                                                        phi_3198_ = 2147483648u;
                                                     } else {
-                                                        phi_3200_ = ((2147483648u | (_e871 << bitcast<u32>(28u))) | (select(_e890, _e860, _e892) & 268435455u));
+                                                        phi_3198_ = ((2147483648u | (_e872 << bitcast<u32>(28u))) | (select(_e891, _e861, _e893) & 268435455u));
                                                     }
-                                                    let _e905 = phi_3200_;
-                                                    phi_3201_ = _e905;
+                                                    let _e906 = phi_3198_;
+                                                    phi_3199_ = _e906;
                                                 }
-                                                let _e907 = phi_3201_;
-                                                phi_3205_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e630.member.member.x + _e735), (_e630.member.member.x + _e757), (_e630.member.member_1.x - _e774), (_e630.member.member_1.x - _e796)), vec4<f32>((_e630.member.member.y + _e744), (_e630.member.member.y + _e761), (_e630.member.member_1.y - _e783), (_e630.member.member_1.y - _e800)), vec4<f32>((_e630.member.member.z + _e753), (_e630.member.member.z + _e765), (_e630.member.member_1.z - _e792), (_e630.member.member_1.z - _e804))), type_63(type_39((_e630.member.member + vec4<f32>(_e735, _e744, _e753, 0f)), (_e630.member.member_1 - vec4<f32>(_e774, _e783, _e792, 0f))), _e883), type_63(type_39((_e630.member.member + vec4<f32>(_e757, _e761, _e765, 0f)), (_e630.member.member_1 - vec4<f32>(_e796, _e800, _e804, 0f))), _e907));
+                                                let _e908 = phi_3199_;
+                                                phi_3203_ = type_64(array<vec4<f32>, 3>(vec4<f32>((_e631.member.member.x + _e736), (_e631.member.member.x + _e758), (_e631.member.member_1.x - _e775), (_e631.member.member_1.x - _e797)), vec4<f32>((_e631.member.member.y + _e745), (_e631.member.member.y + _e762), (_e631.member.member_1.y - _e784), (_e631.member.member_1.y - _e801)), vec4<f32>((_e631.member.member.z + _e754), (_e631.member.member.z + _e766), (_e631.member.member_1.z - _e793), (_e631.member.member_1.z - _e805))), type_63(type_39((_e631.member.member + vec4<f32>(_e736, _e745, _e754, 0f)), (_e631.member.member_1 - vec4<f32>(_e775, _e784, _e793, 0f))), _e884), type_63(type_39((_e631.member.member + vec4<f32>(_e758, _e762, _e766, 0f)), (_e631.member.member_1 - vec4<f32>(_e797, _e801, _e805, 0f))), _e908));
                                             }
-                                            let _e912 = phi_3205_;
-                                            let _e924 = ((_e912.member[0].x - _e424) * _e429);
-                                            let _e925 = ((_e912.member[0].y - _e424) * _e429);
-                                            let _e926 = ((_e912.member[0].z - _e425) * _e429);
-                                            let _e927 = ((_e912.member[0].w - _e425) * _e429);
-                                            let _e937 = ((_e912.member[1].x - _e460) * _e465);
-                                            let _e938 = ((_e912.member[1].y - _e460) * _e465);
-                                            let _e939 = ((_e912.member[1].z - _e461) * _e465);
-                                            let _e940 = ((_e912.member[1].w - _e461) * _e465);
-                                            let _e950 = ((_e912.member[2].x - _e496) * _e501);
-                                            let _e951 = ((_e912.member[2].y - _e496) * _e501);
-                                            let _e952 = ((_e912.member[2].z - _e497) * _e501);
-                                            let _e953 = ((_e912.member[2].w - _e497) * _e501);
-                                            let _e955 = select(_e952, _e950, (_e950 < _e952));
-                                            let _e957 = select(_e953, _e951, (_e951 < _e953));
-                                            let _e959 = select(_e952, _e950, (_e950 > _e952));
-                                            let _e961 = select(_e953, _e951, (_e951 > _e953));
-                                            let _e963 = select(_e926, _e924, (_e924 < _e926));
-                                            let _e965 = select(_e927, _e925, (_e925 < _e927));
-                                            let _e967 = select(_e939, _e937, (_e937 < _e939));
-                                            let _e969 = select(_e940, _e938, (_e938 < _e940));
-                                            let _e971 = select(_e967, _e963, (_e963 > _e967));
-                                            let _e973 = select(_e969, _e965, (_e965 > _e969));
-                                            let _e975 = select(_e955, _e971, (_e971 > _e955));
-                                            let _e977 = select(_e957, _e973, (_e973 > _e957));
-                                            let _e979 = select(_e926, _e924, (_e924 > _e926));
-                                            let _e981 = select(_e927, _e925, (_e925 > _e927));
-                                            let _e983 = select(_e939, _e937, (_e937 > _e939));
-                                            let _e985 = select(_e940, _e938, (_e938 > _e940));
-                                            let _e987 = select(_e983, _e979, (_e979 < _e983));
-                                            let _e989 = select(_e985, _e981, (_e981 < _e985));
-                                            let _e994 = -(_e955);
-                                            let _e995 = -(_e957);
-                                            let _e1002 = (select(_e959, _e987, (_e987 < _e959)) + (select(_e994, _e959, (_e959 > _e994)) * 0.0000019073523f));
-                                            let _e1003 = (select(_e961, _e989, (_e989 < _e961)) + (select(_e995, _e961, (_e961 > _e995)) * 0.0000019073523f));
-                                            let _e1005 = select(_e547, _e975, (_e975 > _e547));
-                                            let _e1007 = select(_e547, _e977, (_e977 > _e547));
-                                            let _e1012 = (_e1005 <= select(_e591.member, _e1002, (_e1002 < _e591.member)));
-                                            let _e1013 = (_e1007 <= select(_e591.member, _e1003, (_e1003 < _e591.member)));
-                                            let _e1014 = (_e1005 <= _e1007);
-                                            if _e1012 {
+                                            let _e913 = phi_3203_;
+                                            let _e925 = ((_e913.member[0].x - _e425) * _e430);
+                                            let _e926 = ((_e913.member[0].y - _e425) * _e430);
+                                            let _e927 = ((_e913.member[0].z - _e426) * _e430);
+                                            let _e928 = ((_e913.member[0].w - _e426) * _e430);
+                                            let _e938 = ((_e913.member[1].x - _e461) * _e466);
+                                            let _e939 = ((_e913.member[1].y - _e461) * _e466);
+                                            let _e940 = ((_e913.member[1].z - _e462) * _e466);
+                                            let _e941 = ((_e913.member[1].w - _e462) * _e466);
+                                            let _e951 = ((_e913.member[2].x - _e497) * _e502);
+                                            let _e952 = ((_e913.member[2].y - _e497) * _e502);
+                                            let _e953 = ((_e913.member[2].z - _e498) * _e502);
+                                            let _e954 = ((_e913.member[2].w - _e498) * _e502);
+                                            let _e956 = select(_e953, _e951, (_e951 < _e953));
+                                            let _e958 = select(_e954, _e952, (_e952 < _e954));
+                                            let _e960 = select(_e953, _e951, (_e951 > _e953));
+                                            let _e962 = select(_e954, _e952, (_e952 > _e954));
+                                            let _e964 = select(_e927, _e925, (_e925 < _e927));
+                                            let _e966 = select(_e928, _e926, (_e926 < _e928));
+                                            let _e968 = select(_e940, _e938, (_e938 < _e940));
+                                            let _e970 = select(_e941, _e939, (_e939 < _e941));
+                                            let _e972 = select(_e968, _e964, (_e964 > _e968));
+                                            let _e974 = select(_e970, _e966, (_e966 > _e970));
+                                            let _e976 = select(_e956, _e972, (_e972 > _e956));
+                                            let _e978 = select(_e958, _e974, (_e974 > _e958));
+                                            let _e980 = select(_e927, _e925, (_e925 > _e927));
+                                            let _e982 = select(_e928, _e926, (_e926 > _e928));
+                                            let _e984 = select(_e940, _e938, (_e938 > _e940));
+                                            let _e986 = select(_e941, _e939, (_e939 > _e941));
+                                            let _e988 = select(_e984, _e980, (_e980 < _e984));
+                                            let _e990 = select(_e986, _e982, (_e982 < _e986));
+                                            let _e995 = -(_e956);
+                                            let _e996 = -(_e958);
+                                            let _e1003 = (select(_e960, _e988, (_e988 < _e960)) + (select(_e995, _e960, (_e960 > _e995)) * 0.0000019073523f));
+                                            let _e1004 = (select(_e962, _e990, (_e990 < _e962)) + (select(_e996, _e962, (_e962 > _e996)) * 0.0000019073523f));
+                                            let _e1006 = select(_e548, _e976, (_e976 > _e548));
+                                            let _e1008 = select(_e548, _e978, (_e978 > _e548));
+                                            let _e1013 = (_e1006 <= select(_e592.member, _e1003, (_e1003 < _e592.member)));
+                                            let _e1014 = (_e1008 <= select(_e592.member, _e1004, (_e1004 < _e592.member)));
+                                            let _e1015 = (_e1006 <= _e1008);
+                                            if _e1013 {
+                                                if _e1014 {
+                                                    if _e1015 {
+                                                        phi_3547_ = _e913.member_2;
+                                                    } else {
+                                                        phi_3547_ = _e913.member_1;
+                                                    }
+                                                    let _e1019 = phi_3547_;
+                                                    let _e1041 = (_e635 % 128u);
+                                                    let _e1042 = (_e1041 < 128u);
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_8[_e1041] = _e1019.member_1;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_7[_e1041] = _e1019.member.member.x;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_6[_e1041] = _e1019.member.member.y;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e1041] = _e1019.member.member.z;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e1041] = _e1019.member.member_1.x;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e1041] = _e1019.member.member_1.y;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e1041] = _e1019.member.member_1.z;
+                                                    if _e1042 {
+                                                    } else {
+                                                        phi_4071_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e1041] = select(_e1008, _e1006, (_e1006 > _e1008));
+                                                    if _e1015 {
+                                                        phi_3624_ = _e913.member_1;
+                                                    } else {
+                                                        phi_3624_ = _e913.member_2;
+                                                    }
+                                                    let _e1055 = phi_3624_;
+                                                    phi_3625_ = _e1055;
+                                                    phi_3626_ = (_e635 + 1u);
+                                                } else {
+                                                    phi_3625_ = type_63();
+                                                    phi_3626_ = u32();
+                                                }
+                                                let _e1057 = phi_3625_;
+                                                let _e1059 = phi_3626_;
+                                                phi_3628_ = _e1057;
+                                                phi_3629_ = _e1059;
+                                                phi_3630_ = select(true, false, _e1014);
+                                            } else {
+                                                phi_3628_ = type_63();
+                                                phi_3629_ = u32();
+                                                phi_3630_ = true;
+                                            }
+                                            let _e1062 = phi_3628_;
+                                            let _e1064 = phi_3629_;
+                                            let _e1066 = phi_3630_;
+                                            if _e1066 {
                                                 if _e1013 {
-                                                    if _e1014 {
-                                                        phi_3549_ = _e912.member_2;
-                                                    } else {
-                                                        phi_3549_ = _e912.member_1;
-                                                    }
-                                                    let _e1018 = phi_3549_;
-                                                    let _e1040 = (_e634 % 128u);
-                                                    let _e1041 = (_e1040 < 128u);
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_8[_e1040] = _e1018.member_1;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_7[_e1040] = _e1018.member.member.x;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_6[_e1040] = _e1018.member.member.y;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_5[_e1040] = _e1018.member.member.z;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_4[_e1040] = _e1018.member.member_1.x;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_3[_e1040] = _e1018.member.member_1.y;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_2[_e1040] = _e1018.member.member_1.z;
-                                                    if _e1041 {
-                                                    } else {
-                                                        phi_4073_ = true;
-                                                        break;
-                                                    }
-                                                    local_9[_e1040] = select(_e1007, _e1005, (_e1005 > _e1007));
-                                                    if _e1014 {
-                                                        phi_3626_ = _e912.member_1;
-                                                    } else {
-                                                        phi_3626_ = _e912.member_2;
-                                                    }
-                                                    let _e1054 = phi_3626_;
-                                                    phi_3627_ = _e1054;
-                                                    phi_3628_ = (_e634 + 1u);
+                                                    phi_3639_ = _e913.member_1;
                                                 } else {
-                                                    phi_3627_ = type_63();
-                                                    phi_3628_ = u32();
+                                                    phi_3639_ = _e913.member_2;
                                                 }
-                                                let _e1056 = phi_3627_;
-                                                let _e1058 = phi_3628_;
-                                                phi_3630_ = _e1056;
-                                                phi_3631_ = _e1058;
-                                                phi_3632_ = select(true, false, _e1013);
+                                                let _e1070 = phi_3639_;
+                                                phi_3644_ = _e1070;
+                                                phi_3645_ = select(_e1014, true, _e1013);
                                             } else {
-                                                phi_3630_ = type_63();
-                                                phi_3631_ = u32();
-                                                phi_3632_ = true;
+                                                phi_3644_ = _e1062;
+                                                phi_3645_ = _e633;
                                             }
-                                            let _e1061 = phi_3630_;
-                                            let _e1063 = phi_3631_;
-                                            let _e1065 = phi_3632_;
-                                            if _e1065 {
-                                                if _e1012 {
-                                                    phi_3641_ = _e912.member_1;
-                                                } else {
-                                                    phi_3641_ = _e912.member_2;
-                                                }
-                                                let _e1069 = phi_3641_;
-                                                phi_3646_ = _e1069;
-                                                phi_3647_ = select(_e1013, true, _e1012);
-                                            } else {
-                                                phi_3646_ = _e1061;
-                                                phi_3647_ = _e632;
-                                            }
-                                            let _e1072 = phi_3646_;
-                                            let _e1074 = phi_3647_;
-                                            phi_4077_ = _e589;
-                                            phi_3649_ = _e591;
-                                            phi_3650_ = _e1072;
-                                            phi_3651_ = _e1074;
-                                            phi_3652_ = select(_e1063, _e634, _e1065);
+                                            let _e1073 = phi_3644_;
+                                            let _e1075 = phi_3645_;
+                                            phi_4075_ = _e590;
+                                            phi_3647_ = _e592;
+                                            phi_3648_ = _e1073;
+                                            phi_3649_ = _e1075;
+                                            phi_3650_ = select(_e1064, _e635, _e1066);
                                         }
-                                        let _e1882 = phi_4077_;
-                                        let _e1884 = phi_3649_;
-                                        let _e1886 = phi_3650_;
-                                        let _e1888 = phi_3651_;
-                                        let _e1890 = phi_3652_;
-                                        phi_4076_ = _e1882;
-                                        phi_3653_ = _e1884;
-                                        phi_3654_ = _e1886;
-                                        phi_3655_ = (_e595 - 1u);
-                                        phi_3656_ = _e1888;
-                                        phi_3657_ = _e1890;
+                                        let _e1884 = phi_4075_;
+                                        let _e1886 = phi_3647_;
+                                        let _e1888 = phi_3648_;
+                                        let _e1890 = phi_3649_;
+                                        let _e1892 = phi_3650_;
+                                        phi_4074_ = _e1884;
+                                        phi_3651_ = _e1886;
+                                        phi_3652_ = _e1888;
+                                        phi_3653_ = (_e596 - 1u);
+                                        phi_3654_ = _e1890;
+                                        phi_3655_ = _e1892;
                                     } else {
-                                        phi_4076_ = _e589;
-                                        phi_3653_ = _e591;
-                                        phi_3654_ = _e630;
-                                        phi_3655_ = _e595;
-                                        phi_3656_ = _e632;
-                                        phi_3657_ = _e634;
+                                        phi_4074_ = _e590;
+                                        phi_3651_ = _e592;
+                                        phi_3652_ = _e631;
+                                        phi_3653_ = _e596;
+                                        phi_3654_ = _e633;
+                                        phi_3655_ = _e635;
                                     }
-                                    let _e1892 = phi_4076_;
-                                    let _e1894 = phi_3653_;
-                                    let _e1896 = phi_3654_;
-                                    let _e1898 = phi_3655_;
-                                    let _e1900 = phi_3656_;
-                                    let _e1902 = phi_3657_;
-                                    phi_4075_ = _e1892;
-                                    phi_3658_ = _e1894;
-                                    phi_3659_ = _e1896;
-                                    phi_3660_ = _e1898;
-                                    phi_3661_ = _e1900;
-                                    phi_3662_ = _e1902;
+                                    let _e1894 = phi_4074_;
+                                    let _e1896 = phi_3651_;
+                                    let _e1898 = phi_3652_;
+                                    let _e1900 = phi_3653_;
+                                    let _e1902 = phi_3654_;
+                                    let _e1904 = phi_3655_;
+                                    phi_4073_ = _e1894;
+                                    phi_3656_ = _e1896;
+                                    phi_3657_ = _e1898;
+                                    phi_3658_ = _e1900;
+                                    phi_3659_ = _e1902;
+                                    phi_3660_ = _e1904;
                                 } else {
-                                    phi_4075_ = _e589;
-                                    phi_3658_ = type_51();
-                                    phi_3659_ = type_63();
+                                    phi_4073_ = _e590;
+                                    phi_3656_ = type_51();
+                                    phi_3657_ = type_63();
+                                    phi_3658_ = u32();
+                                    phi_3659_ = bool();
                                     phi_3660_ = u32();
-                                    phi_3661_ = bool();
-                                    phi_3662_ = u32();
                                 }
-                                let _e1904 = phi_4075_;
-                                let _e1906 = phi_3658_;
-                                let _e1908 = phi_3659_;
-                                let _e1910 = phi_3660_;
-                                let _e1912 = phi_3661_;
-                                let _e1914 = phi_3662_;
-                                phi_4074_ = _e1904;
-                                phi_1004_ = _e1906;
-                                phi_1007_ = _e1908;
-                                phi_1009_ = _e1910;
-                                phi_1011_ = _e1912;
-                                phi_1013_ = _e1914;
-                                phi_3663_ = _e603;
+                                let _e1906 = phi_4073_;
+                                let _e1908 = phi_3656_;
+                                let _e1910 = phi_3657_;
+                                let _e1912 = phi_3658_;
+                                let _e1914 = phi_3659_;
+                                let _e1916 = phi_3660_;
+                                phi_4072_ = _e1906;
+                                phi_1005_ = _e1908;
+                                phi_1008_ = _e1910;
+                                phi_1010_ = _e1912;
+                                phi_1012_ = _e1914;
+                                phi_1014_ = _e1916;
+                                phi_3661_ = _e604;
                             } else {
-                                phi_4074_ = _e589;
-                                phi_1004_ = type_51();
-                                phi_1007_ = type_63();
-                                phi_1009_ = u32();
-                                phi_1011_ = bool();
-                                phi_1013_ = u32();
-                                phi_3663_ = false;
+                                phi_4072_ = _e590;
+                                phi_1005_ = type_51();
+                                phi_1008_ = type_63();
+                                phi_1010_ = u32();
+                                phi_1012_ = bool();
+                                phi_1014_ = u32();
+                                phi_3661_ = false;
                             }
-                            let _e1916 = phi_4074_;
-                            let _e1918 = phi_1004_;
-                            let _e1920 = phi_1007_;
-                            let _e1922 = phi_1009_;
-                            let _e1924 = phi_1011_;
-                            let _e1926 = phi_1013_;
-                            let _e1928 = phi_3663_;
+                            let _e1918 = phi_4072_;
+                            let _e1920 = phi_1005_;
+                            let _e1922 = phi_1008_;
+                            let _e1924 = phi_1010_;
+                            let _e1926 = phi_1012_;
+                            let _e1928 = phi_1014_;
+                            let _e1930 = phi_3661_;
                             continue;
                             continuing {
-                                phi_3913_ = _e1916;
-                                phi_1003_ = _e1918;
-                                phi_1006_ = _e1920;
-                                phi_1008_ = _e1922;
-                                phi_1010_ = _e1924;
-                                phi_1012_ = _e1926;
-                                phi_4073_ = _e1916;
-                                break if !(_e1928);
+                                phi_3911_ = _e1918;
+                                phi_1004_ = _e1920;
+                                phi_1007_ = _e1922;
+                                phi_1009_ = _e1924;
+                                phi_1011_ = _e1926;
+                                phi_1013_ = _e1928;
+                                phi_4071_ = _e1918;
+                                break if !(_e1930);
                             }
                         }
-                        let _e1931 = phi_4073_;
-                        if _e1931 {
+                        let _e1933 = phi_4071_;
+                        if _e1933 {
                             break;
                         }
-                        let _e1933 = local_11;
-                        if _e1933.member_1 {
+                        let _e1935 = local_11;
+                        if _e1935.member_1 {
                         } else {
-                            if _e237 {
+                            if _e238 {
                             } else {
                                 break;
                             }
-                            let _e1937 = global_2.member[_e143];
-                            if _e158 {
+                            let _e1939 = global_2.member[_e144];
+                            if _e159 {
                             } else {
                                 break;
                             }
-                            let _e1941 = global_10.member[_e143].member_1;
-                            if _e237 {
+                            let _e1943 = global_10.member[_e144].member_1;
+                            if _e238 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e143] = type_32(_e1937.member, _e1937.member_1, _e1937.member_2, array<f32, 3>((_e1937.member_3[0] + (_e1941[0] * _e1937.member_1[0])), (_e1937.member_3[1] + (_e1941[1] * _e1937.member_1[1])), (_e1937.member_3[2] + (_e1941[2] * _e1937.member_1[2]))), _e1937.member_4);
+                            global_2.member[_e144] = type_32(_e1939.member, _e1939.member_1, _e1939.member_2, array<f32, 3>((_e1939.member_3[0] + (_e1943[0] * _e1939.member_1[0])), (_e1939.member_3[1] + (_e1943[1] * _e1939.member_1[1])), (_e1939.member_3[2] + (_e1943[2] * _e1939.member_1[2]))), _e1939.member_4);
                         }
                     }
                 }
