@@ -51,12 +51,14 @@ pub fn cases(effort: Effort) -> Vec<Case> {
             effort,
         )],
     );
+    let equal = |magnitude: &str, count| Case {
+        ray_count: effort.pick(48, 250) as usize,
+        ..open(magnitude, equal_centres(count, 5), effort)
+    };
+    let counts = [("1e4 triangles", 10_000), ("1e5 triangles", 100_000)];
     add(
         "equal centroids",
-        vec![Case {
-            ray_count: effort.pick(48, 250) as usize,
-            ..open("1e5 triangles", equal_centres(100_000, 5), effort)
-        }],
+        counts.map(|(name, count)| equal(name, count)).into(),
     );
     add("teapot, stadium", stadiums(effort));
     add("flat", flat(effort));

@@ -23,7 +23,7 @@ const STAGES: &[Stage] = &[
         core: &["bounds", "aabb"],
         shaders: &["bounds"],
         cpu: &["order"],
-        gpu: &["build"],
+        gpu: &["build/record"],
     },
     Stage {
         name: "morton",
@@ -31,7 +31,7 @@ const STAGES: &[Stage] = &[
         core: &["morton", "lattice"],
         shaders: &["morton"],
         cpu: &["order"],
-        gpu: &["build"],
+        gpu: &["build/record"],
     },
     Stage {
         name: "sort",
@@ -63,7 +63,7 @@ const STAGES: &[Stage] = &[
         core: &["classify", "orientation", "frustum"],
         shaders: &["classify"],
         cpu: &["order", "select"],
-        gpu: &["build", "facing"],
+        gpu: &["build/record", "facing"],
     },
     Stage {
         name: "compact",
@@ -79,7 +79,7 @@ const STAGES: &[Stage] = &[
         core: &["snap", "triangle"],
         shaders: &["snap"],
         cpu: &["order"],
-        gpu: &["build"],
+        gpu: &["build/record"],
     },
     Stage {
         name: "topology",
@@ -87,7 +87,7 @@ const STAGES: &[Stage] = &[
         core: &["topology", "node"],
         shaders: &["topology"],
         cpu: &["topology"],
-        gpu: &["build"],
+        gpu: &["build/record"],
     },
     Stage {
         name: "refit",
@@ -95,7 +95,7 @@ const STAGES: &[Stage] = &[
         core: &["refit"],
         shaders: &["refit"],
         cpu: &["refit"],
-        gpu: &["build"],
+        gpu: &["build/record"],
     },
     Stage {
         name: "encode",
@@ -104,13 +104,22 @@ const STAGES: &[Stage] = &[
             "encode",
             "encode/links",
             "encode/lattice_node",
+            "encode/lattice_nodes",
             "encode/lattice_leaf",
             "encode/printed",
             "encode/root",
+            "encode/rounded",
             "encode/walk",
         ],
         shaders: &["encode"],
-        cpu: &["encode", "decode"],
+        cpu: &[
+            "encode",
+            "encode/tree",
+            "encode/lattice",
+            "encode/lattice_mesh",
+            "encode/printed",
+            "decode",
+        ],
         gpu: &["encode", "coding"],
     },
     Stage {
