@@ -14,6 +14,9 @@ pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 mod mesh;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod options;
 mod picture;
 pub mod reduce;
 pub mod scene;
