@@ -1,18 +1,29 @@
 //! From bytes to what is tested.
 
+use crate::random::Random;
 use arbitrary::{Arbitrary, Unstructured};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use slimbvh_core::lattice::LatticeBox;
+use std::sync::LazyLock;
 
 /// Any value of a type; where bytes run out, zeros follow.
 pub fn any<'a, T: Arbitrary<'a>>(data: &'a [u8]) -> Option<T> {
     T::arbitrary_take_rest(Unstructured::new(data)).ok()
 }
 
-/// What a strategy of the property tests draws, from bytes in place of random numbers.
+/// More bytes than any strategy takes.
+const TAIL_BYTES: usize = 1 << 16;
+
+/// What a strategy of the property tests draws, from bytes in place of random numbers. Where they run out, the same random bytes
+/// follow: a generator of whole numbers would wait for others than zero for ever.
 pub fn drawn<S: Strategy>(strategy: S, data: &[u8]) -> Option<S::Value> {
-    let numbers = TestRng::from_seed(RngAlgorithm::PassThrough, data);
+    static TAIL: LazyLock<Vec<u8>> = LazyLock::new(|| {
+        let mut random = Random::new(1);
+        (0..TAIL_BYTES).map(|_| random.bits() as u8).collect()
+    });
+    let bytes = [data, &TAIL].concat();
+    let numbers = TestRng::from_seed(RngAlgorithm::PassThrough, &bytes);
     let mut runner = TestRunner::new_with_rng(Config::default(), numbers);
     Some(strategy.new_tree(&mut runner).ok()?.current())
 }
@@ -60,7 +71,9 @@ mod tests {
         let draw = |data| drawn(any_mesh(), data).map(|mesh| (mesh.vertices, mesh.indices));
         assert_eq!(draw(&bytes), draw(&bytes));
         assert_ne!(draw(&bytes), draw(&bytes[1..]));
-        assert!(draw(&[]).is_some());
+        for length in 0..200 {
+            assert!(draw(&bytes[..length]).is_some());
+        }
     }
 
     #[test]
