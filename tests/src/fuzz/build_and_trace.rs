@@ -2,7 +2,7 @@
 
 use super::input::{any, drawn};
 use crate::oracle::brute::{Answers, Parts};
-use crate::rays::some_rays;
+use crate::rays::{Aim, Face, Range, RayRecipe, Start, some_rays};
 use crate::strategies::any_mesh;
 use arbitrary::Arbitrary;
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray};
@@ -23,7 +23,11 @@ pub fn build_and_trace(data: &[u8]) {
     let Some((&[how, codec, coarse], rest)) = data.split_first_chunk() else {
         return;
     };
-    let found = if how & 1 == 0 { raw(rest) } else { sound(rest) };
+    let found = match how % 3 {
+        0 => raw(rest),
+        1 => on_grid(rest),
+        _ => as_tests_draw(rest),
+    };
     let Some((mut mesh, rays)) = found else {
         return;
     };
@@ -31,7 +35,7 @@ pub fn build_and_trace(data: &[u8]) {
         assert!(Builder::new(BuildConfig::default()).build(&mesh).is_err());
         return;
     }
-    let code_bits = match how & 2 {
+    let code_bits = match how & 0x80 {
         0 => CodeBits::Bits30,
         _ => CodeBits::Bits63,
     };
@@ -76,9 +80,48 @@ fn raw(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
     Some((mesh, raw.rays.into_iter().map(ray).collect()))
 }
 
+/// A mesh with many coplanar, degenerate and equal triangles, and rays from the grid to points, edges and corners of it.
+#[derive(Arbitrary, Debug)]
+struct OnGrid {
+    vertices: Vec<[i8; 3]>,
+    indices: Vec<[u8; 3]>,
+    exponent: i8,
+    rays: Vec<([i8; 3], u8, [u8; 2])>,
+}
+
+fn on_grid(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
+    let grid: OnGrid = any(data)?;
+    let unit = 2f32.powi(grid.exponent.into());
+    let point = |p: [i8; 3]| p.map(|x| f32::from(x % 5) * unit);
+    let count = u8::try_from(grid.vertices.len()).unwrap_or(u8::MAX).max(1);
+    let indices = grid.indices.iter().map(|t| t.map(|v| u32::from(v % count)));
+    let mut mesh = Mesh {
+        vertices: grid.vertices.iter().copied().map(point).collect(),
+        indices: indices.collect(),
+        ..Mesh::default()
+    };
+    if mesh.vertices.is_empty() {
+        mesh.indices.clear();
+    }
+    let ray = |&(start, triangle, weights): &([i8; 3], u8, [u8; 2])| {
+        let recipe = RayRecipe {
+            start: Start::Near(start.map(|x| f32::from(x) / 16.0)),
+            aim: Aim::At(Face {
+                triangle: triangle.into(),
+                weights: weights.map(|weight| f32::from(weight % 9) / 8.0),
+            }),
+            length: 0,
+            range: Range::Whole,
+        };
+        recipe.cook(&mesh)
+    };
+    let rays = grid.rays.iter().map(ray).collect();
+    Some((mesh, rays))
+}
+
 /// A mesh and rays that are aimed at it, as the property tests draw them.
-fn sound(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
-    let (mesh, recipes) = drawn((some_rays(8), any_mesh()), data).map(|(a, b)| (b, a))?;
+fn as_tests_draw(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
+    let (mesh, recipes) = drawn((any_mesh(), some_rays(8)), data)?;
     let rays = recipes.iter().map(|recipe| recipe.cook(&mesh)).collect();
     Some((mesh, rays))
 }

@@ -6,6 +6,7 @@ mod codecs;
 mod decisions;
 mod deepest_trees;
 mod exact;
+mod faults;
 mod fuzz_seeds;
 mod gpu;
 mod meshes;
