@@ -63,7 +63,7 @@ fn a_picture_that_is_not_finished_leaves_the_old_one() {
     let before = folder.contents();
     let child = start(
         &folder,
-        "render --backend cpu --size 4096x4096 --spp 256 -o picture.png",
+        "render --backend cpu --size 4096x4096 --spp 64 -o picture.png",
     );
     // Long enough to be at work, and far from done.
     std::thread::sleep(Duration::from_secs(1));
@@ -77,7 +77,7 @@ fn frames_before_the_signal_are_whole() {
         let folder = Folder::new();
         let child = start(
             &folder,
-            "animate --backend cpu --frames 2000 --size 256x256 --out .",
+            "animate --backend cpu --frames 500 --size 256x256 --out .",
         );
         let begin = Instant::now();
         while entries(&folder).0.len() < enough {
