@@ -50,9 +50,9 @@ pub fn node_codec(data: &[u8]) {
 
 fn inside(parent: &LatticeBox, axes: [[u32; 2]; 3]) -> LatticeBox {
     let mut bounds = *parent;
-    for axis in 0..3 {
+    for (axis, choices) in axes.into_iter().enumerate() {
         let plane = |choice| between(parent.min[axis], parent.max[axis], choice);
-        let [a, b] = axes[axis].map(plane);
+        let [a, b] = choices.map(plane);
         (bounds.min[axis], bounds.max[axis]) = (a.min(b), a.max(b));
     }
     bounds
