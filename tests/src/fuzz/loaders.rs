@@ -21,11 +21,13 @@ pub fn load_gltf(data: &[u8]) {
 pub fn load_obj(data: &[u8]) {
     let mut halves = data.splitn(2, |byte| *byte == 0);
     let (text, library) = (halves.next().unwrap_or_default(), halves.next());
-    let path = match library {
-        Some(library) => beside(library),
-        None => PathBuf::from("nowhere/x.obj"),
+    let Some(library) = library else {
+        return check(Path::new("nowhere/x.obj"), text);
     };
-    check(&path, text);
+    let folder = folder_with(library);
+    check(&folder.join("x.obj"), text);
+    let removed = std::fs::remove_dir_all(&folder);
+    assert!(removed.is_ok(), "{removed:?}");
 }
 
 /// OFF.
@@ -52,14 +54,14 @@ pub fn load_stl(data: &[u8]) {
     check(Path::new("nowhere/x.stl"), data);
 }
 
-/// The path of a scene beside a library of materials, in a folder of this process.
-fn beside(library: &[u8]) -> PathBuf {
+/// A folder of this process that holds a library of materials.
+fn folder_with(library: &[u8]) -> PathBuf {
     let name = format!("slimbvh-fuzz-{}", std::process::id());
     let folder = std::env::temp_dir().join(name);
     let written = std::fs::create_dir_all(&folder)
         .and_then(|()| std::fs::write(folder.join("x.mtl"), library));
     assert!(written.is_ok(), "{written:?}");
-    folder.join("x.obj")
+    folder
 }
 
 fn check(path: &Path, data: &[u8]) {
