@@ -196,6 +196,25 @@ mod tests {
         }
     }
 
+    proptest! {
+        /// Each product is rounded before it is summed: 53 bits hold any product of two floats.
+        #[test]
+        fn no_product_is_fused_with_a_sum(t in proptest::array::uniform3(proptest::array::uniform3(-1.0f32..1.0)), p in proptest::array::uniform3(-1.0f32..1.0)) {
+            let [v0, v1, v2] = t.map(Vec3::from_array);
+            let (a, b, r) = (v1 - v0, v2 - v0, Vec3::from_array(p) - v0);
+            let rounded = |x: f32, y: f32| (f64::from(x) * f64::from(y)) as f32;
+            let across = |x: f32, y: f32, z: f32, w: f32| rounded(x, y) - rounded(z, w);
+            let normal = [
+                across(a.y, b.z, a.z, b.y),
+                across(a.z, b.x, a.x, b.z),
+                across(a.x, b.y, a.y, b.x),
+            ];
+            let volume = rounded(r.x, normal[0]) + rounded(r.y, normal[1]) + rounded(r.z, normal[2]);
+            let orientation = Orientation::new(&Triangle { v0, v1, v2 }, &Target::position(p));
+            prop_assert_eq!(orientation.volume.to_bits(), volume.to_bits());
+        }
+    }
+
     /// Lights in front of a triangle, to the side, and a ball that its plane cuts.
     #[test]
     fn a_ball_is_on_a_side_only_as_a_whole() {

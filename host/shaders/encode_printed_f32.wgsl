@@ -102,124 +102,124 @@ fn function_() {
     var phi_899_: u32;
     var phi_901_: u32;
     var phi_902_: bool;
-    var phi_916_: f32;
-    var phi_967_: u32;
-    var phi_969_: u32;
-    var phi_970_: bool;
-    var phi_1008_: u32;
-    var phi_1009_: u32;
-    var phi_1070_: u32;
-    var phi_1072_: u32;
-    var phi_1073_: bool;
-    var phi_1089_: f32;
-    var phi_1140_: u32;
-    var phi_1142_: u32;
-    var phi_1143_: bool;
-    var phi_1181_: u32;
-    var phi_1182_: u32;
-    var phi_1243_: u32;
-    var phi_1245_: u32;
-    var phi_1246_: bool;
-    var phi_1438_: type_34;
-    var phi_1439_: u32;
+    var phi_944_: f32;
+    var phi_995_: u32;
+    var phi_997_: u32;
+    var phi_998_: bool;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1098_: u32;
+    var phi_1100_: u32;
+    var phi_1101_: bool;
+    var phi_1145_: f32;
+    var phi_1196_: u32;
+    var phi_1198_: u32;
+    var phi_1199_: bool;
+    var phi_1237_: u32;
+    var phi_1238_: u32;
+    var phi_1299_: u32;
+    var phi_1301_: u32;
+    var phi_1302_: bool;
+    var phi_1522_: type_34;
+    var phi_1523_: u32;
     var phi_229_: type_34;
     var phi_231_: u32;
-    var phi_1441_: bool;
-    var phi_3398_: bool;
-    var phi_1469_: type_24;
-    var phi_1491_: type_24;
+    var phi_1525_: bool;
+    var phi_3650_: bool;
+    var phi_1553_: type_24;
+    var phi_1575_: type_24;
     var local: type_34;
     var local_1: type_34;
-    var phi_1522_: f32;
-    var phi_1573_: u32;
-    var phi_1575_: u32;
-    var phi_1576_: bool;
-    var phi_1614_: u32;
-    var phi_1615_: u32;
-    var phi_1653_: f32;
-    var phi_1704_: u32;
-    var phi_1706_: u32;
-    var phi_1707_: bool;
-    var phi_1745_: u32;
-    var phi_1746_: u32;
-    var phi_1786_: f32;
-    var phi_1837_: u32;
-    var phi_1839_: u32;
-    var phi_1840_: bool;
-    var phi_1878_: u32;
-    var phi_1879_: u32;
-    var phi_1919_: f32;
-    var phi_1970_: u32;
-    var phi_1972_: u32;
-    var phi_1973_: bool;
-    var phi_2011_: u32;
-    var phi_2012_: u32;
-    var phi_2073_: u32;
-    var phi_2075_: u32;
-    var phi_2076_: bool;
-    var phi_2090_: f32;
-    var phi_2141_: u32;
-    var phi_2143_: u32;
-    var phi_2144_: bool;
-    var phi_2182_: u32;
-    var phi_2183_: u32;
-    var phi_2244_: u32;
-    var phi_2246_: u32;
-    var phi_2247_: bool;
-    var phi_2263_: f32;
-    var phi_2314_: u32;
-    var phi_2316_: u32;
-    var phi_2317_: bool;
-    var phi_2355_: u32;
+    var phi_1606_: f32;
+    var phi_1657_: u32;
+    var phi_1659_: u32;
+    var phi_1660_: bool;
+    var phi_1698_: u32;
+    var phi_1699_: u32;
+    var phi_1737_: f32;
+    var phi_1788_: u32;
+    var phi_1790_: u32;
+    var phi_1791_: bool;
+    var phi_1829_: u32;
+    var phi_1830_: u32;
+    var phi_1870_: f32;
+    var phi_1921_: u32;
+    var phi_1923_: u32;
+    var phi_1924_: bool;
+    var phi_1962_: u32;
+    var phi_1963_: u32;
+    var phi_2003_: f32;
+    var phi_2054_: u32;
+    var phi_2056_: u32;
+    var phi_2057_: bool;
+    var phi_2095_: u32;
+    var phi_2096_: u32;
+    var phi_2157_: u32;
+    var phi_2159_: u32;
+    var phi_2160_: bool;
+    var phi_2202_: f32;
+    var phi_2253_: u32;
+    var phi_2255_: u32;
+    var phi_2256_: bool;
+    var phi_2294_: u32;
+    var phi_2295_: u32;
     var phi_2356_: u32;
-    var phi_2417_: u32;
-    var phi_2419_: u32;
-    var phi_2420_: bool;
-    var phi_2445_: f32;
+    var phi_2358_: u32;
+    var phi_2359_: bool;
+    var phi_2403_: f32;
+    var phi_2454_: u32;
+    var phi_2456_: u32;
+    var phi_2457_: bool;
+    var phi_2495_: u32;
     var phi_2496_: u32;
-    var phi_2498_: u32;
-    var phi_2499_: bool;
-    var phi_2537_: u32;
-    var phi_2538_: u32;
-    var phi_2576_: f32;
-    var phi_2627_: u32;
-    var phi_2629_: u32;
-    var phi_2630_: bool;
-    var phi_2668_: u32;
-    var phi_2669_: u32;
-    var phi_2709_: f32;
-    var phi_2760_: u32;
-    var phi_2762_: u32;
-    var phi_2763_: bool;
-    var phi_2801_: u32;
-    var phi_2802_: u32;
-    var phi_2842_: f32;
-    var phi_2893_: u32;
-    var phi_2895_: u32;
-    var phi_2896_: bool;
-    var phi_2934_: u32;
-    var phi_2935_: u32;
-    var phi_2996_: u32;
-    var phi_2998_: u32;
-    var phi_2999_: bool;
-    var phi_3013_: f32;
-    var phi_3064_: u32;
-    var phi_3066_: u32;
-    var phi_3067_: bool;
-    var phi_3105_: u32;
-    var phi_3106_: u32;
-    var phi_3167_: u32;
-    var phi_3169_: u32;
-    var phi_3170_: bool;
-    var phi_3186_: f32;
-    var phi_3237_: u32;
-    var phi_3239_: u32;
-    var phi_3240_: bool;
-    var phi_3278_: u32;
-    var phi_3279_: u32;
-    var phi_3340_: u32;
-    var phi_3342_: u32;
-    var phi_3343_: bool;
+    var phi_2557_: u32;
+    var phi_2559_: u32;
+    var phi_2560_: bool;
+    var phi_2613_: f32;
+    var phi_2664_: u32;
+    var phi_2666_: u32;
+    var phi_2667_: bool;
+    var phi_2705_: u32;
+    var phi_2706_: u32;
+    var phi_2744_: f32;
+    var phi_2795_: u32;
+    var phi_2797_: u32;
+    var phi_2798_: bool;
+    var phi_2836_: u32;
+    var phi_2837_: u32;
+    var phi_2877_: f32;
+    var phi_2928_: u32;
+    var phi_2930_: u32;
+    var phi_2931_: bool;
+    var phi_2969_: u32;
+    var phi_2970_: u32;
+    var phi_3010_: f32;
+    var phi_3061_: u32;
+    var phi_3063_: u32;
+    var phi_3064_: bool;
+    var phi_3102_: u32;
+    var phi_3103_: u32;
+    var phi_3164_: u32;
+    var phi_3166_: u32;
+    var phi_3167_: bool;
+    var phi_3209_: f32;
+    var phi_3260_: u32;
+    var phi_3262_: u32;
+    var phi_3263_: bool;
+    var phi_3301_: u32;
+    var phi_3302_: u32;
+    var phi_3363_: u32;
+    var phi_3365_: u32;
+    var phi_3366_: bool;
+    var phi_3410_: f32;
+    var phi_3461_: u32;
+    var phi_3463_: u32;
+    var phi_3464_: bool;
+    var phi_3502_: u32;
+    var phi_3503_: u32;
+    var phi_3564_: u32;
+    var phi_3566_: u32;
+    var phi_3567_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -279,14 +279,14 @@ fn function_() {
                             if (bitcast<i32>(_e152.member) != 0i) {
                                 let _e156 = (_e137 == _e47);
                                 if _e156 {
-                                    phi_1438_ = type_34();
-                                    phi_1439_ = u32();
+                                    phi_1522_ = type_34();
+                                    phi_1523_ = u32();
                                 } else {
                                     let _e157 = (_e137 < _e39);
                                     if _e157 {
                                         if _e157 {
                                         } else {
-                                            phi_3398_ = true;
+                                            phi_3650_ = true;
                                             break;
                                         }
                                         let _e160 = global_3.member[_e137];
@@ -511,806 +511,824 @@ fn function_() {
                                     }
                                     let _e549 = phi_901_;
                                     let _e551 = phi_902_;
+                                    let _e552 = select(_e549, _e531, _e551);
+                                    let _e558 = (_e135.member[0] + bitcast<f32>((bitcast<u32>((f32(_e552) * _e293)) ^ _e56)));
                                     if _e307 {
-                                        phi_916_ = (((_e207.member_1.y - _e135.member[1]) / _e306) * 1023f);
+                                        phi_944_ = (((_e207.member_1.y - _e135.member[1]) / _e306) * 1023f);
                                     } else {
-                                        phi_916_ = 0f;
+                                        phi_944_ = 0f;
                                     }
-                                    let _e557 = phi_916_;
-                                    let _e559 = select(1023f, _e557, (_e557 < 1023f));
-                                    let _e561 = select(0f, _e559, (_e559 > 0f));
-                                    let _e566 = select(select(u32(_e561), 0u, (_e561 < 0f)), 4294967295u, (_e561 > 4294967000f));
-                                    if (_e566 > 0u) {
-                                        let _e573 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e566) * _e371)) ^ _e56)));
-                                        let _e578 = (select(select(_e135.member_1[1], _e573, (_e573 < _e135.member_1[1])), _e135.member_1[1], (_e566 == 1023u)) > _e207.member_1.y);
-                                        if _e578 {
-                                            phi_967_ = (_e566 - 1u);
+                                    let _e569 = phi_944_;
+                                    let _e571 = select(1023f, _e569, (_e569 < 1023f));
+                                    let _e573 = select(0f, _e571, (_e571 > 0f));
+                                    let _e578 = select(select(u32(_e573), 0u, (_e573 < 0f)), 4294967295u, (_e573 > 4294967000f));
+                                    if (_e578 > 0u) {
+                                        let _e585 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e578) * _e371)) ^ _e56)));
+                                        let _e590 = (select(select(_e135.member_1[1], _e585, (_e585 < _e135.member_1[1])), _e135.member_1[1], (_e578 == 1023u)) > _e207.member_1.y);
+                                        if _e590 {
+                                            phi_995_ = (_e578 - 1u);
                                         } else {
-                                            phi_967_ = u32();
+                                            phi_995_ = u32();
                                         }
-                                        let _e581 = phi_967_;
-                                        phi_969_ = _e581;
-                                        phi_970_ = select(true, false, _e578);
+                                        let _e593 = phi_995_;
+                                        phi_997_ = _e593;
+                                        phi_998_ = select(true, false, _e590);
                                     } else {
-                                        phi_969_ = u32();
-                                        phi_970_ = true;
+                                        phi_997_ = u32();
+                                        phi_998_ = true;
                                     }
-                                    let _e584 = phi_969_;
-                                    let _e586 = phi_970_;
-                                    if _e586 {
-                                        if (_e566 < 1023u) {
-                                            let _e588 = (_e566 + 1u);
-                                            let _e594 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e588) * _e371)) ^ _e56)));
-                                            phi_1008_ = select(_e566, _e588, (select(select(_e135.member_1[1], _e594, (_e594 < _e135.member_1[1])), _e135.member_1[1], (_e588 == 1023u)) <= _e207.member_1.y));
+                                    let _e596 = phi_997_;
+                                    let _e598 = phi_998_;
+                                    if _e598 {
+                                        if (_e578 < 1023u) {
+                                            let _e600 = (_e578 + 1u);
+                                            let _e606 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e600) * _e371)) ^ _e56)));
+                                            phi_1036_ = select(_e578, _e600, (select(select(_e135.member_1[1], _e606, (_e606 < _e135.member_1[1])), _e135.member_1[1], (_e600 == 1023u)) <= _e207.member_1.y));
                                         } else {
-                                            phi_1008_ = _e566;
+                                            phi_1036_ = _e578;
                                         }
-                                        let _e602 = phi_1008_;
-                                        phi_1009_ = _e602;
+                                        let _e614 = phi_1036_;
+                                        phi_1037_ = _e614;
                                     } else {
-                                        phi_1009_ = _e584;
+                                        phi_1037_ = _e596;
                                     }
-                                    let _e604 = phi_1009_;
-                                    let _e610 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e604) * _e371)) ^ _e56)));
-                                    let _e616 = select(_e604, 0u, (select(select(_e135.member_1[1], _e610, (_e610 < _e135.member_1[1])), _e135.member_1[1], (_e604 == 1023u)) > _e207.member_1.y));
-                                    if (_e616 < 1023u) {
-                                        let _e623 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e616) * _e371)) ^ _e56)));
-                                        let _e628 = (select(select(_e135.member_1[1], _e623, (_e623 < _e135.member_1[1])), _e135.member_1[1], (_e616 == 1023u)) < _e207.member_1.y);
-                                        if _e628 {
-                                            phi_1070_ = (_e616 + 1u);
+                                    let _e616 = phi_1037_;
+                                    let _e622 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e616) * _e371)) ^ _e56)));
+                                    let _e628 = select(_e616, 0u, (select(select(_e135.member_1[1], _e622, (_e622 < _e135.member_1[1])), _e135.member_1[1], (_e616 == 1023u)) > _e207.member_1.y));
+                                    if (_e628 < 1023u) {
+                                        let _e635 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e628) * _e371)) ^ _e56)));
+                                        let _e640 = (select(select(_e135.member_1[1], _e635, (_e635 < _e135.member_1[1])), _e135.member_1[1], (_e628 == 1023u)) < _e207.member_1.y);
+                                        if _e640 {
+                                            phi_1098_ = (_e628 + 1u);
                                         } else {
-                                            phi_1070_ = u32();
+                                            phi_1098_ = u32();
                                         }
-                                        let _e631 = phi_1070_;
-                                        phi_1072_ = _e631;
-                                        phi_1073_ = select(true, false, _e628);
+                                        let _e643 = phi_1098_;
+                                        phi_1100_ = _e643;
+                                        phi_1101_ = select(true, false, _e640);
                                     } else {
-                                        phi_1072_ = u32();
-                                        phi_1073_ = true;
+                                        phi_1100_ = u32();
+                                        phi_1101_ = true;
                                     }
-                                    let _e634 = phi_1072_;
-                                    let _e636 = phi_1073_;
+                                    let _e646 = phi_1100_;
+                                    let _e648 = phi_1101_;
+                                    let _e649 = select(_e646, _e628, _e648);
+                                    let _e655 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e371)) ^ _e56)));
                                     if _e388 {
-                                        phi_1089_ = (((_e207.member_1.z - _e135.member[2]) / _e387) * 1023f);
+                                        phi_1145_ = (((_e207.member_1.z - _e135.member[2]) / _e387) * 1023f);
                                     } else {
-                                        phi_1089_ = 0f;
+                                        phi_1145_ = 0f;
                                     }
-                                    let _e645 = phi_1089_;
-                                    let _e647 = select(1023f, _e645, (_e645 < 1023f));
-                                    let _e649 = select(0f, _e647, (_e647 > 0f));
-                                    let _e654 = select(select(u32(_e649), 0u, (_e649 < 0f)), 4294967295u, (_e649 > 4294967000f));
-                                    if (_e654 > 0u) {
-                                        let _e661 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e654) * _e452)) ^ _e56)));
-                                        let _e666 = (select(select(_e135.member_1[2], _e661, (_e661 < _e135.member_1[2])), _e135.member_1[2], (_e654 == 1023u)) > _e207.member_1.z);
-                                        if _e666 {
-                                            phi_1140_ = (_e654 - 1u);
+                                    let _e669 = phi_1145_;
+                                    let _e671 = select(1023f, _e669, (_e669 < 1023f));
+                                    let _e673 = select(0f, _e671, (_e671 > 0f));
+                                    let _e678 = select(select(u32(_e673), 0u, (_e673 < 0f)), 4294967295u, (_e673 > 4294967000f));
+                                    if (_e678 > 0u) {
+                                        let _e685 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e452)) ^ _e56)));
+                                        let _e690 = (select(select(_e135.member_1[2], _e685, (_e685 < _e135.member_1[2])), _e135.member_1[2], (_e678 == 1023u)) > _e207.member_1.z);
+                                        if _e690 {
+                                            phi_1196_ = (_e678 - 1u);
                                         } else {
-                                            phi_1140_ = u32();
+                                            phi_1196_ = u32();
                                         }
-                                        let _e669 = phi_1140_;
-                                        phi_1142_ = _e669;
-                                        phi_1143_ = select(true, false, _e666);
+                                        let _e693 = phi_1196_;
+                                        phi_1198_ = _e693;
+                                        phi_1199_ = select(true, false, _e690);
                                     } else {
-                                        phi_1142_ = u32();
-                                        phi_1143_ = true;
+                                        phi_1198_ = u32();
+                                        phi_1199_ = true;
                                     }
-                                    let _e672 = phi_1142_;
-                                    let _e674 = phi_1143_;
-                                    if _e674 {
-                                        if (_e654 < 1023u) {
-                                            let _e676 = (_e654 + 1u);
-                                            let _e682 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e452)) ^ _e56)));
-                                            phi_1181_ = select(_e654, _e676, (select(select(_e135.member_1[2], _e682, (_e682 < _e135.member_1[2])), _e135.member_1[2], (_e676 == 1023u)) <= _e207.member_1.z));
+                                    let _e696 = phi_1198_;
+                                    let _e698 = phi_1199_;
+                                    if _e698 {
+                                        if (_e678 < 1023u) {
+                                            let _e700 = (_e678 + 1u);
+                                            let _e706 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e700) * _e452)) ^ _e56)));
+                                            phi_1237_ = select(_e678, _e700, (select(select(_e135.member_1[2], _e706, (_e706 < _e135.member_1[2])), _e135.member_1[2], (_e700 == 1023u)) <= _e207.member_1.z));
                                         } else {
-                                            phi_1181_ = _e654;
+                                            phi_1237_ = _e678;
                                         }
-                                        let _e690 = phi_1181_;
-                                        phi_1182_ = _e690;
+                                        let _e714 = phi_1237_;
+                                        phi_1238_ = _e714;
                                     } else {
-                                        phi_1182_ = _e672;
+                                        phi_1238_ = _e696;
                                     }
-                                    let _e692 = phi_1182_;
-                                    let _e698 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e692) * _e452)) ^ _e56)));
-                                    let _e704 = select(_e692, 0u, (select(select(_e135.member_1[2], _e698, (_e698 < _e135.member_1[2])), _e135.member_1[2], (_e692 == 1023u)) > _e207.member_1.z));
-                                    if (_e704 < 1023u) {
-                                        let _e711 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e704) * _e452)) ^ _e56)));
-                                        let _e716 = (select(select(_e135.member_1[2], _e711, (_e711 < _e135.member_1[2])), _e135.member_1[2], (_e704 == 1023u)) < _e207.member_1.z);
-                                        if _e716 {
-                                            phi_1243_ = (_e704 + 1u);
+                                    let _e716 = phi_1238_;
+                                    let _e722 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e716) * _e452)) ^ _e56)));
+                                    let _e728 = select(_e716, 0u, (select(select(_e135.member_1[2], _e722, (_e722 < _e135.member_1[2])), _e135.member_1[2], (_e716 == 1023u)) > _e207.member_1.z));
+                                    if (_e728 < 1023u) {
+                                        let _e735 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e728) * _e452)) ^ _e56)));
+                                        let _e740 = (select(select(_e135.member_1[2], _e735, (_e735 < _e135.member_1[2])), _e135.member_1[2], (_e728 == 1023u)) < _e207.member_1.z);
+                                        if _e740 {
+                                            phi_1299_ = (_e728 + 1u);
                                         } else {
-                                            phi_1243_ = u32();
+                                            phi_1299_ = u32();
                                         }
-                                        let _e719 = phi_1243_;
-                                        phi_1245_ = _e719;
-                                        phi_1246_ = select(true, false, _e716);
+                                        let _e743 = phi_1299_;
+                                        phi_1301_ = _e743;
+                                        phi_1302_ = select(true, false, _e740);
                                     } else {
-                                        phi_1245_ = u32();
-                                        phi_1246_ = true;
+                                        phi_1301_ = u32();
+                                        phi_1302_ = true;
                                     }
-                                    let _e722 = phi_1245_;
-                                    let _e724 = phi_1246_;
-                                    let _e728 = ((select(_e549, _e531, _e551) | (select(_e634, _e616, _e636) << bitcast<u32>(10i))) | (select(_e722, _e704, _e724) << bitcast<u32>(20i)));
-                                    let _e729 = (_e467 & 1023u);
-                                    let _e735 = (_e135.member[0] + bitcast<f32>((bitcast<u32>((f32(_e729) * _e293)) ^ _e56)));
-                                    let _e742 = ((_e467 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e748 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e742) * _e371)) ^ _e56)));
-                                    let _e755 = ((_e467 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e761 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e755) * _e452)) ^ _e56)));
-                                    let _e767 = (_e728 & 1023u);
-                                    let _e773 = (_e135.member[0] + bitcast<f32>((bitcast<u32>((f32(_e767) * _e293)) ^ _e56)));
-                                    let _e780 = ((_e728 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e786 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e780) * _e371)) ^ _e56)));
-                                    let _e793 = ((_e728 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e799 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e793) * _e452)) ^ _e56)));
-                                    phi_1438_ = type_34(array<f32, 3>(select(select(_e135.member_1[0], _e735, (_e735 < _e135.member_1[0])), _e135.member_1[0], (_e729 == 1023u)), select(select(_e135.member_1[1], _e748, (_e748 < _e135.member_1[1])), _e135.member_1[1], (_e742 == 1023u)), select(select(_e135.member_1[2], _e761, (_e761 < _e135.member_1[2])), _e135.member_1[2], (_e755 == 1023u))), array<f32, 3>(select(select(_e135.member_1[0], _e773, (_e773 < _e135.member_1[0])), _e135.member_1[0], (_e767 == 1023u)), select(select(_e135.member_1[1], _e786, (_e786 < _e135.member_1[1])), _e135.member_1[1], (_e780 == 1023u)), select(select(_e135.member_1[2], _e799, (_e799 < _e135.member_1[2])), _e135.member_1[2], (_e793 == 1023u))));
-                                    phi_1439_ = select(_e162.member_2, _e162.member_1, _e169);
+                                    let _e746 = phi_1301_;
+                                    let _e748 = phi_1302_;
+                                    let _e749 = select(_e746, _e728, _e748);
+                                    let _e755 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e749) * _e452)) ^ _e56)));
+                                    let _e764 = ((select(_e552, 1023u, (select(select(_e135.member_1[0], _e558, (_e558 < _e135.member_1[0])), _e135.member_1[0], (_e552 == 1023u)) < _e207.member_1.x)) | (select(_e649, 1023u, (select(select(_e135.member_1[1], _e655, (_e655 < _e135.member_1[1])), _e135.member_1[1], (_e649 == 1023u)) < _e207.member_1.y)) << bitcast<u32>(10i))) | (select(_e749, 1023u, (select(select(_e135.member_1[2], _e755, (_e755 < _e135.member_1[2])), _e135.member_1[2], (_e749 == 1023u)) < _e207.member_1.z)) << bitcast<u32>(20i)));
+                                    let _e765 = (_e467 & 1023u);
+                                    let _e771 = (_e135.member[0] + bitcast<f32>((bitcast<u32>((f32(_e765) * _e293)) ^ _e56)));
+                                    let _e778 = ((_e467 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e784 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e778) * _e371)) ^ _e56)));
+                                    let _e791 = ((_e467 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e797 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e791) * _e452)) ^ _e56)));
+                                    let _e803 = (_e764 & 1023u);
+                                    let _e809 = (_e135.member[0] + bitcast<f32>((bitcast<u32>((f32(_e803) * _e293)) ^ _e56)));
+                                    let _e816 = ((_e764 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e822 = (_e135.member[1] + bitcast<f32>((bitcast<u32>((f32(_e816) * _e371)) ^ _e56)));
+                                    let _e829 = ((_e764 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e835 = (_e135.member[2] + bitcast<f32>((bitcast<u32>((f32(_e829) * _e452)) ^ _e56)));
+                                    phi_1522_ = type_34(array<f32, 3>(select(select(_e135.member_1[0], _e771, (_e771 < _e135.member_1[0])), _e135.member_1[0], (_e765 == 1023u)), select(select(_e135.member_1[1], _e784, (_e784 < _e135.member_1[1])), _e135.member_1[1], (_e778 == 1023u)), select(select(_e135.member_1[2], _e797, (_e797 < _e135.member_1[2])), _e135.member_1[2], (_e791 == 1023u))), array<f32, 3>(select(select(_e135.member_1[0], _e809, (_e809 < _e135.member_1[0])), _e135.member_1[0], (_e803 == 1023u)), select(select(_e135.member_1[1], _e822, (_e822 < _e135.member_1[1])), _e135.member_1[1], (_e816 == 1023u)), select(select(_e135.member_1[2], _e835, (_e835 < _e135.member_1[2])), _e135.member_1[2], (_e829 == 1023u))));
+                                    phi_1523_ = select(_e162.member_2, _e162.member_1, _e169);
                                 }
-                                let _e808 = phi_1438_;
-                                let _e810 = phi_1439_;
-                                phi_229_ = _e808;
-                                phi_231_ = _e810;
-                                phi_1441_ = select(true, false, _e156);
+                                let _e844 = phi_1522_;
+                                let _e846 = phi_1523_;
+                                phi_229_ = _e844;
+                                phi_231_ = _e846;
+                                phi_1525_ = select(true, false, _e156);
                             } else {
                                 phi_229_ = type_34();
                                 phi_231_ = u32();
-                                phi_1441_ = false;
+                                phi_1525_ = false;
                             }
-                            let _e813 = phi_229_;
-                            let _e815 = phi_231_;
-                            let _e817 = phi_1441_;
+                            let _e849 = phi_229_;
+                            let _e851 = phi_231_;
+                            let _e853 = phi_1525_;
                             continue;
                             continuing {
                                 phi_225_ = _e150;
-                                phi_228_ = _e813;
-                                phi_230_ = _e815;
-                                phi_3398_ = false;
-                                break if !(_e817);
+                                phi_228_ = _e849;
+                                phi_230_ = _e851;
+                                phi_3650_ = false;
+                                break if !(_e853);
                             }
                         }
-                        let _e820 = phi_3398_;
-                        if _e820 {
+                        let _e856 = phi_3650_;
+                        if _e856 {
                             break;
                         }
                         if _e52 {
                         } else {
                             break;
                         }
-                        let _e824 = global_3.member[_e47].member_1;
-                        if (_e824 == 2147483648u) {
-                            phi_1469_ = type_24(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e860 = global_3.member[_e47].member_1;
+                        if (_e860 == 2147483648u) {
+                            phi_1553_ = type_24(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         } else {
-                            let _e830 = global_3.member[_e47].member[0u];
-                            let _e835 = global_3.member[_e47].member[1u];
-                            let _e840 = global_3.member[_e47].member[2u];
-                            phi_1469_ = type_24(vec3<f32>(_e830[0], _e835[0], _e840[0]), vec3<f32>(_e830[2], _e835[2], _e840[2]));
+                            let _e866 = global_3.member[_e47].member[0u];
+                            let _e871 = global_3.member[_e47].member[1u];
+                            let _e876 = global_3.member[_e47].member[2u];
+                            phi_1553_ = type_24(vec3<f32>(_e866[0], _e871[0], _e876[0]), vec3<f32>(_e866[2], _e871[2], _e876[2]));
                         }
-                        let _e851 = phi_1469_;
-                        let _e855 = global_3.member[_e47].member_2;
-                        if (_e855 == 2147483648u) {
-                            phi_1491_ = _e851;
+                        let _e887 = phi_1553_;
+                        let _e891 = global_3.member[_e47].member_2;
+                        if (_e891 == 2147483648u) {
+                            phi_1575_ = _e887;
                         } else {
-                            let _e861 = global_3.member[_e47].member[0u];
-                            let _e866 = global_3.member[_e47].member[1u];
-                            let _e871 = global_3.member[_e47].member[2u];
-                            phi_1491_ = type_24(vec3<f32>(_e861[1], _e866[1], _e871[1]), vec3<f32>(_e861[3], _e866[3], _e871[3]));
+                            let _e897 = global_3.member[_e47].member[0u];
+                            let _e902 = global_3.member[_e47].member[1u];
+                            let _e907 = global_3.member[_e47].member[2u];
+                            phi_1575_ = type_24(vec3<f32>(_e897[1], _e902[1], _e907[1]), vec3<f32>(_e897[3], _e902[3], _e907[3]));
                         }
-                        let _e882 = phi_1491_;
-                        let _e908 = local;
-                        let _e911 = local_1;
-                        let _e919 = (_e911.member_1[0] - _e908.member[0]);
-                        let _e920 = (_e919 > 0f);
-                        if _e920 {
-                            phi_1522_ = (((_e851.member.x - _e908.member[0]) / _e919) * 1023f);
+                        let _e918 = phi_1575_;
+                        let _e944 = local;
+                        let _e947 = local_1;
+                        let _e955 = (_e947.member_1[0] - _e944.member[0]);
+                        let _e956 = (_e955 > 0f);
+                        if _e956 {
+                            phi_1606_ = (((_e887.member.x - _e944.member[0]) / _e955) * 1023f);
                         } else {
-                            phi_1522_ = 0f;
+                            phi_1606_ = 0f;
                         }
-                        let _e925 = phi_1522_;
-                        let _e927 = select(1023f, _e925, (_e925 < 1023f));
-                        let _e929 = select(0f, _e927, (_e927 > 0f));
-                        let _e934 = select(select(u32(_e929), 0u, (_e929 < 0f)), 4294967295u, (_e929 > 4294967000f));
-                        if (_e934 > 0u) {
-                            let _e945 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e934) * bitcast<f32>((bitcast<u32>((_e919 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                            let _e950 = (select(select(_e911.member_1[0], _e945, (_e945 < _e911.member_1[0])), _e911.member_1[0], (_e934 == 1023u)) > _e851.member.x);
-                            if _e950 {
-                                phi_1573_ = (_e934 - 1u);
+                        let _e961 = phi_1606_;
+                        let _e963 = select(1023f, _e961, (_e961 < 1023f));
+                        let _e965 = select(0f, _e963, (_e963 > 0f));
+                        let _e970 = select(select(u32(_e965), 0u, (_e965 < 0f)), 4294967295u, (_e965 > 4294967000f));
+                        if (_e970 > 0u) {
+                            let _e981 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e970) * bitcast<f32>((bitcast<u32>((_e955 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                            let _e986 = (select(select(_e947.member_1[0], _e981, (_e981 < _e947.member_1[0])), _e947.member_1[0], (_e970 == 1023u)) > _e887.member.x);
+                            if _e986 {
+                                phi_1657_ = (_e970 - 1u);
                             } else {
-                                phi_1573_ = u32();
+                                phi_1657_ = u32();
                             }
-                            let _e953 = phi_1573_;
-                            phi_1575_ = _e953;
-                            phi_1576_ = select(true, false, _e950);
+                            let _e989 = phi_1657_;
+                            phi_1659_ = _e989;
+                            phi_1660_ = select(true, false, _e986);
                         } else {
-                            phi_1575_ = u32();
-                            phi_1576_ = true;
+                            phi_1659_ = u32();
+                            phi_1660_ = true;
                         }
-                        let _e956 = phi_1575_;
-                        let _e958 = phi_1576_;
-                        if _e958 {
-                            if (_e934 < 1023u) {
-                                let _e960 = (_e934 + 1u);
-                                let _e970 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e960) * bitcast<f32>((bitcast<u32>((_e919 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                                phi_1614_ = select(_e934, _e960, (select(select(_e911.member_1[0], _e970, (_e970 < _e911.member_1[0])), _e911.member_1[0], (_e960 == 1023u)) <= _e851.member.x));
+                        let _e992 = phi_1659_;
+                        let _e994 = phi_1660_;
+                        if _e994 {
+                            if (_e970 < 1023u) {
+                                let _e996 = (_e970 + 1u);
+                                let _e1006 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e996) * bitcast<f32>((bitcast<u32>((_e955 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                                phi_1698_ = select(_e970, _e996, (select(select(_e947.member_1[0], _e1006, (_e1006 < _e947.member_1[0])), _e947.member_1[0], (_e996 == 1023u)) <= _e887.member.x));
                             } else {
-                                phi_1614_ = _e934;
+                                phi_1698_ = _e970;
                             }
-                            let _e978 = phi_1614_;
-                            phi_1615_ = _e978;
+                            let _e1014 = phi_1698_;
+                            phi_1699_ = _e1014;
                         } else {
-                            phi_1615_ = _e956;
+                            phi_1699_ = _e992;
                         }
-                        let _e980 = phi_1615_;
-                        let _e984 = bitcast<f32>((bitcast<u32>((_e919 * 0.0009775171f)) ^ _e56));
-                        let _e990 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e980) * _e984)) ^ _e56)));
-                        let _e997 = (_e911.member_1[1] - _e908.member[1]);
-                        let _e998 = (_e997 > 0f);
-                        if _e998 {
-                            phi_1653_ = (((_e851.member.y - _e908.member[1]) / _e997) * 1023f);
+                        let _e1016 = phi_1699_;
+                        let _e1020 = bitcast<f32>((bitcast<u32>((_e955 * 0.0009775171f)) ^ _e56));
+                        let _e1026 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1016) * _e1020)) ^ _e56)));
+                        let _e1033 = (_e947.member_1[1] - _e944.member[1]);
+                        let _e1034 = (_e1033 > 0f);
+                        if _e1034 {
+                            phi_1737_ = (((_e887.member.y - _e944.member[1]) / _e1033) * 1023f);
                         } else {
-                            phi_1653_ = 0f;
+                            phi_1737_ = 0f;
                         }
-                        let _e1003 = phi_1653_;
-                        let _e1005 = select(1023f, _e1003, (_e1003 < 1023f));
-                        let _e1007 = select(0f, _e1005, (_e1005 > 0f));
-                        let _e1012 = select(select(u32(_e1007), 0u, (_e1007 < 0f)), 4294967295u, (_e1007 > 4294967000f));
-                        if (_e1012 > 0u) {
-                            let _e1023 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1012) * bitcast<f32>((bitcast<u32>((_e997 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                            let _e1028 = (select(select(_e911.member_1[1], _e1023, (_e1023 < _e911.member_1[1])), _e911.member_1[1], (_e1012 == 1023u)) > _e851.member.y);
-                            if _e1028 {
-                                phi_1704_ = (_e1012 - 1u);
+                        let _e1039 = phi_1737_;
+                        let _e1041 = select(1023f, _e1039, (_e1039 < 1023f));
+                        let _e1043 = select(0f, _e1041, (_e1041 > 0f));
+                        let _e1048 = select(select(u32(_e1043), 0u, (_e1043 < 0f)), 4294967295u, (_e1043 > 4294967000f));
+                        if (_e1048 > 0u) {
+                            let _e1059 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1048) * bitcast<f32>((bitcast<u32>((_e1033 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                            let _e1064 = (select(select(_e947.member_1[1], _e1059, (_e1059 < _e947.member_1[1])), _e947.member_1[1], (_e1048 == 1023u)) > _e887.member.y);
+                            if _e1064 {
+                                phi_1788_ = (_e1048 - 1u);
                             } else {
-                                phi_1704_ = u32();
+                                phi_1788_ = u32();
                             }
-                            let _e1031 = phi_1704_;
-                            phi_1706_ = _e1031;
-                            phi_1707_ = select(true, false, _e1028);
+                            let _e1067 = phi_1788_;
+                            phi_1790_ = _e1067;
+                            phi_1791_ = select(true, false, _e1064);
                         } else {
-                            phi_1706_ = u32();
-                            phi_1707_ = true;
+                            phi_1790_ = u32();
+                            phi_1791_ = true;
                         }
-                        let _e1034 = phi_1706_;
-                        let _e1036 = phi_1707_;
-                        if _e1036 {
-                            if (_e1012 < 1023u) {
-                                let _e1038 = (_e1012 + 1u);
-                                let _e1048 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1038) * bitcast<f32>((bitcast<u32>((_e997 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                                phi_1745_ = select(_e1012, _e1038, (select(select(_e911.member_1[1], _e1048, (_e1048 < _e911.member_1[1])), _e911.member_1[1], (_e1038 == 1023u)) <= _e851.member.y));
+                        let _e1070 = phi_1790_;
+                        let _e1072 = phi_1791_;
+                        if _e1072 {
+                            if (_e1048 < 1023u) {
+                                let _e1074 = (_e1048 + 1u);
+                                let _e1084 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1074) * bitcast<f32>((bitcast<u32>((_e1033 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                                phi_1829_ = select(_e1048, _e1074, (select(select(_e947.member_1[1], _e1084, (_e1084 < _e947.member_1[1])), _e947.member_1[1], (_e1074 == 1023u)) <= _e887.member.y));
                             } else {
-                                phi_1745_ = _e1012;
+                                phi_1829_ = _e1048;
                             }
-                            let _e1056 = phi_1745_;
-                            phi_1746_ = _e1056;
+                            let _e1092 = phi_1829_;
+                            phi_1830_ = _e1092;
                         } else {
-                            phi_1746_ = _e1034;
+                            phi_1830_ = _e1070;
                         }
-                        let _e1058 = phi_1746_;
-                        let _e1062 = bitcast<f32>((bitcast<u32>((_e997 * 0.0009775171f)) ^ _e56));
-                        let _e1068 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1058) * _e1062)) ^ _e56)));
-                        let _e1078 = (_e911.member_1[2] - _e908.member[2]);
-                        let _e1079 = (_e1078 > 0f);
-                        if _e1079 {
-                            phi_1786_ = (((_e851.member.z - _e908.member[2]) / _e1078) * 1023f);
+                        let _e1094 = phi_1830_;
+                        let _e1098 = bitcast<f32>((bitcast<u32>((_e1033 * 0.0009775171f)) ^ _e56));
+                        let _e1104 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1094) * _e1098)) ^ _e56)));
+                        let _e1114 = (_e947.member_1[2] - _e944.member[2]);
+                        let _e1115 = (_e1114 > 0f);
+                        if _e1115 {
+                            phi_1870_ = (((_e887.member.z - _e944.member[2]) / _e1114) * 1023f);
                         } else {
-                            phi_1786_ = 0f;
+                            phi_1870_ = 0f;
                         }
-                        let _e1084 = phi_1786_;
-                        let _e1086 = select(1023f, _e1084, (_e1084 < 1023f));
-                        let _e1088 = select(0f, _e1086, (_e1086 > 0f));
-                        let _e1093 = select(select(u32(_e1088), 0u, (_e1088 < 0f)), 4294967295u, (_e1088 > 4294967000f));
-                        if (_e1093 > 0u) {
-                            let _e1104 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1093) * bitcast<f32>((bitcast<u32>((_e1078 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                            let _e1109 = (select(select(_e911.member_1[2], _e1104, (_e1104 < _e911.member_1[2])), _e911.member_1[2], (_e1093 == 1023u)) > _e851.member.z);
-                            if _e1109 {
-                                phi_1837_ = (_e1093 - 1u);
+                        let _e1120 = phi_1870_;
+                        let _e1122 = select(1023f, _e1120, (_e1120 < 1023f));
+                        let _e1124 = select(0f, _e1122, (_e1122 > 0f));
+                        let _e1129 = select(select(u32(_e1124), 0u, (_e1124 < 0f)), 4294967295u, (_e1124 > 4294967000f));
+                        if (_e1129 > 0u) {
+                            let _e1140 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1129) * bitcast<f32>((bitcast<u32>((_e1114 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                            let _e1145 = (select(select(_e947.member_1[2], _e1140, (_e1140 < _e947.member_1[2])), _e947.member_1[2], (_e1129 == 1023u)) > _e887.member.z);
+                            if _e1145 {
+                                phi_1921_ = (_e1129 - 1u);
                             } else {
-                                phi_1837_ = u32();
+                                phi_1921_ = u32();
                             }
-                            let _e1112 = phi_1837_;
-                            phi_1839_ = _e1112;
-                            phi_1840_ = select(true, false, _e1109);
+                            let _e1148 = phi_1921_;
+                            phi_1923_ = _e1148;
+                            phi_1924_ = select(true, false, _e1145);
                         } else {
-                            phi_1839_ = u32();
-                            phi_1840_ = true;
+                            phi_1923_ = u32();
+                            phi_1924_ = true;
                         }
-                        let _e1115 = phi_1839_;
-                        let _e1117 = phi_1840_;
-                        if _e1117 {
-                            if (_e1093 < 1023u) {
-                                let _e1119 = (_e1093 + 1u);
-                                let _e1129 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1119) * bitcast<f32>((bitcast<u32>((_e1078 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
-                                phi_1878_ = select(_e1093, _e1119, (select(select(_e911.member_1[2], _e1129, (_e1129 < _e911.member_1[2])), _e911.member_1[2], (_e1119 == 1023u)) <= _e851.member.z));
+                        let _e1151 = phi_1923_;
+                        let _e1153 = phi_1924_;
+                        if _e1153 {
+                            if (_e1129 < 1023u) {
+                                let _e1155 = (_e1129 + 1u);
+                                let _e1165 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1155) * bitcast<f32>((bitcast<u32>((_e1114 * 0.0009775171f)) ^ _e56)))) ^ _e56)));
+                                phi_1962_ = select(_e1129, _e1155, (select(select(_e947.member_1[2], _e1165, (_e1165 < _e947.member_1[2])), _e947.member_1[2], (_e1155 == 1023u)) <= _e887.member.z));
                             } else {
-                                phi_1878_ = _e1093;
+                                phi_1962_ = _e1129;
                             }
-                            let _e1137 = phi_1878_;
-                            phi_1879_ = _e1137;
+                            let _e1173 = phi_1962_;
+                            phi_1963_ = _e1173;
                         } else {
-                            phi_1879_ = _e1115;
+                            phi_1963_ = _e1151;
                         }
-                        let _e1139 = phi_1879_;
-                        let _e1143 = bitcast<f32>((bitcast<u32>((_e1078 * 0.0009775171f)) ^ _e56));
-                        let _e1149 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1139) * _e1143)) ^ _e56)));
-                        if _e920 {
-                            phi_1919_ = (((_e851.member_1.x - _e908.member[0]) / _e919) * 1023f);
+                        let _e1175 = phi_1963_;
+                        let _e1179 = bitcast<f32>((bitcast<u32>((_e1114 * 0.0009775171f)) ^ _e56));
+                        let _e1185 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1175) * _e1179)) ^ _e56)));
+                        if _e956 {
+                            phi_2003_ = (((_e887.member_1.x - _e944.member[0]) / _e955) * 1023f);
                         } else {
-                            phi_1919_ = 0f;
+                            phi_2003_ = 0f;
                         }
-                        let _e1163 = phi_1919_;
-                        let _e1165 = select(1023f, _e1163, (_e1163 < 1023f));
-                        let _e1167 = select(0f, _e1165, (_e1165 > 0f));
-                        let _e1172 = select(select(u32(_e1167), 0u, (_e1167 < 0f)), 4294967295u, (_e1167 > 4294967000f));
-                        if (_e1172 > 0u) {
-                            let _e1179 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1172) * _e984)) ^ _e56)));
-                            let _e1184 = (select(select(_e911.member_1[0], _e1179, (_e1179 < _e911.member_1[0])), _e911.member_1[0], (_e1172 == 1023u)) > _e851.member_1.x);
-                            if _e1184 {
-                                phi_1970_ = (_e1172 - 1u);
+                        let _e1199 = phi_2003_;
+                        let _e1201 = select(1023f, _e1199, (_e1199 < 1023f));
+                        let _e1203 = select(0f, _e1201, (_e1201 > 0f));
+                        let _e1208 = select(select(u32(_e1203), 0u, (_e1203 < 0f)), 4294967295u, (_e1203 > 4294967000f));
+                        if (_e1208 > 0u) {
+                            let _e1215 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1208) * _e1020)) ^ _e56)));
+                            let _e1220 = (select(select(_e947.member_1[0], _e1215, (_e1215 < _e947.member_1[0])), _e947.member_1[0], (_e1208 == 1023u)) > _e887.member_1.x);
+                            if _e1220 {
+                                phi_2054_ = (_e1208 - 1u);
                             } else {
-                                phi_1970_ = u32();
+                                phi_2054_ = u32();
                             }
-                            let _e1187 = phi_1970_;
-                            phi_1972_ = _e1187;
-                            phi_1973_ = select(true, false, _e1184);
+                            let _e1223 = phi_2054_;
+                            phi_2056_ = _e1223;
+                            phi_2057_ = select(true, false, _e1220);
                         } else {
-                            phi_1972_ = u32();
-                            phi_1973_ = true;
+                            phi_2056_ = u32();
+                            phi_2057_ = true;
                         }
-                        let _e1190 = phi_1972_;
-                        let _e1192 = phi_1973_;
-                        if _e1192 {
-                            if (_e1172 < 1023u) {
-                                let _e1194 = (_e1172 + 1u);
-                                let _e1200 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1194) * _e984)) ^ _e56)));
-                                phi_2011_ = select(_e1172, _e1194, (select(select(_e911.member_1[0], _e1200, (_e1200 < _e911.member_1[0])), _e911.member_1[0], (_e1194 == 1023u)) <= _e851.member_1.x));
+                        let _e1226 = phi_2056_;
+                        let _e1228 = phi_2057_;
+                        if _e1228 {
+                            if (_e1208 < 1023u) {
+                                let _e1230 = (_e1208 + 1u);
+                                let _e1236 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1230) * _e1020)) ^ _e56)));
+                                phi_2095_ = select(_e1208, _e1230, (select(select(_e947.member_1[0], _e1236, (_e1236 < _e947.member_1[0])), _e947.member_1[0], (_e1230 == 1023u)) <= _e887.member_1.x));
                             } else {
-                                phi_2011_ = _e1172;
+                                phi_2095_ = _e1208;
                             }
-                            let _e1208 = phi_2011_;
-                            phi_2012_ = _e1208;
+                            let _e1244 = phi_2095_;
+                            phi_2096_ = _e1244;
                         } else {
-                            phi_2012_ = _e1190;
+                            phi_2096_ = _e1226;
                         }
-                        let _e1210 = phi_2012_;
-                        let _e1216 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1210) * _e984)) ^ _e56)));
-                        let _e1222 = select(_e1210, 0u, (select(select(_e911.member_1[0], _e1216, (_e1216 < _e911.member_1[0])), _e911.member_1[0], (_e1210 == 1023u)) > _e851.member_1.x));
-                        if (_e1222 < 1023u) {
-                            let _e1229 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1222) * _e984)) ^ _e56)));
-                            let _e1234 = (select(select(_e911.member_1[0], _e1229, (_e1229 < _e911.member_1[0])), _e911.member_1[0], (_e1222 == 1023u)) < _e851.member_1.x);
-                            if _e1234 {
-                                phi_2073_ = (_e1222 + 1u);
+                        let _e1246 = phi_2096_;
+                        let _e1252 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1246) * _e1020)) ^ _e56)));
+                        let _e1258 = select(_e1246, 0u, (select(select(_e947.member_1[0], _e1252, (_e1252 < _e947.member_1[0])), _e947.member_1[0], (_e1246 == 1023u)) > _e887.member_1.x));
+                        if (_e1258 < 1023u) {
+                            let _e1265 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1258) * _e1020)) ^ _e56)));
+                            let _e1270 = (select(select(_e947.member_1[0], _e1265, (_e1265 < _e947.member_1[0])), _e947.member_1[0], (_e1258 == 1023u)) < _e887.member_1.x);
+                            if _e1270 {
+                                phi_2157_ = (_e1258 + 1u);
                             } else {
-                                phi_2073_ = u32();
+                                phi_2157_ = u32();
                             }
-                            let _e1237 = phi_2073_;
-                            phi_2075_ = _e1237;
-                            phi_2076_ = select(true, false, _e1234);
+                            let _e1273 = phi_2157_;
+                            phi_2159_ = _e1273;
+                            phi_2160_ = select(true, false, _e1270);
                         } else {
-                            phi_2075_ = u32();
-                            phi_2076_ = true;
+                            phi_2159_ = u32();
+                            phi_2160_ = true;
                         }
-                        let _e1240 = phi_2075_;
-                        let _e1242 = phi_2076_;
-                        if _e998 {
-                            phi_2090_ = (((_e851.member_1.y - _e908.member[1]) / _e997) * 1023f);
+                        let _e1276 = phi_2159_;
+                        let _e1278 = phi_2160_;
+                        let _e1279 = select(_e1276, _e1258, _e1278);
+                        let _e1285 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1279) * _e1020)) ^ _e56)));
+                        if _e1034 {
+                            phi_2202_ = (((_e887.member_1.y - _e944.member[1]) / _e1033) * 1023f);
                         } else {
-                            phi_2090_ = 0f;
+                            phi_2202_ = 0f;
                         }
-                        let _e1248 = phi_2090_;
-                        let _e1250 = select(1023f, _e1248, (_e1248 < 1023f));
-                        let _e1252 = select(0f, _e1250, (_e1250 > 0f));
-                        let _e1257 = select(select(u32(_e1252), 0u, (_e1252 < 0f)), 4294967295u, (_e1252 > 4294967000f));
-                        if (_e1257 > 0u) {
-                            let _e1264 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1257) * _e1062)) ^ _e56)));
-                            let _e1269 = (select(select(_e911.member_1[1], _e1264, (_e1264 < _e911.member_1[1])), _e911.member_1[1], (_e1257 == 1023u)) > _e851.member_1.y);
-                            if _e1269 {
-                                phi_2141_ = (_e1257 - 1u);
+                        let _e1296 = phi_2202_;
+                        let _e1298 = select(1023f, _e1296, (_e1296 < 1023f));
+                        let _e1300 = select(0f, _e1298, (_e1298 > 0f));
+                        let _e1305 = select(select(u32(_e1300), 0u, (_e1300 < 0f)), 4294967295u, (_e1300 > 4294967000f));
+                        if (_e1305 > 0u) {
+                            let _e1312 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1305) * _e1098)) ^ _e56)));
+                            let _e1317 = (select(select(_e947.member_1[1], _e1312, (_e1312 < _e947.member_1[1])), _e947.member_1[1], (_e1305 == 1023u)) > _e887.member_1.y);
+                            if _e1317 {
+                                phi_2253_ = (_e1305 - 1u);
                             } else {
-                                phi_2141_ = u32();
+                                phi_2253_ = u32();
                             }
-                            let _e1272 = phi_2141_;
-                            phi_2143_ = _e1272;
-                            phi_2144_ = select(true, false, _e1269);
+                            let _e1320 = phi_2253_;
+                            phi_2255_ = _e1320;
+                            phi_2256_ = select(true, false, _e1317);
                         } else {
-                            phi_2143_ = u32();
-                            phi_2144_ = true;
+                            phi_2255_ = u32();
+                            phi_2256_ = true;
                         }
-                        let _e1275 = phi_2143_;
-                        let _e1277 = phi_2144_;
-                        if _e1277 {
-                            if (_e1257 < 1023u) {
-                                let _e1279 = (_e1257 + 1u);
-                                let _e1285 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1279) * _e1062)) ^ _e56)));
-                                phi_2182_ = select(_e1257, _e1279, (select(select(_e911.member_1[1], _e1285, (_e1285 < _e911.member_1[1])), _e911.member_1[1], (_e1279 == 1023u)) <= _e851.member_1.y));
+                        let _e1323 = phi_2255_;
+                        let _e1325 = phi_2256_;
+                        if _e1325 {
+                            if (_e1305 < 1023u) {
+                                let _e1327 = (_e1305 + 1u);
+                                let _e1333 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1327) * _e1098)) ^ _e56)));
+                                phi_2294_ = select(_e1305, _e1327, (select(select(_e947.member_1[1], _e1333, (_e1333 < _e947.member_1[1])), _e947.member_1[1], (_e1327 == 1023u)) <= _e887.member_1.y));
                             } else {
-                                phi_2182_ = _e1257;
+                                phi_2294_ = _e1305;
                             }
-                            let _e1293 = phi_2182_;
-                            phi_2183_ = _e1293;
+                            let _e1341 = phi_2294_;
+                            phi_2295_ = _e1341;
                         } else {
-                            phi_2183_ = _e1275;
+                            phi_2295_ = _e1323;
                         }
-                        let _e1295 = phi_2183_;
-                        let _e1301 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1295) * _e1062)) ^ _e56)));
-                        let _e1307 = select(_e1295, 0u, (select(select(_e911.member_1[1], _e1301, (_e1301 < _e911.member_1[1])), _e911.member_1[1], (_e1295 == 1023u)) > _e851.member_1.y));
-                        if (_e1307 < 1023u) {
-                            let _e1314 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1307) * _e1062)) ^ _e56)));
-                            let _e1319 = (select(select(_e911.member_1[1], _e1314, (_e1314 < _e911.member_1[1])), _e911.member_1[1], (_e1307 == 1023u)) < _e851.member_1.y);
-                            if _e1319 {
-                                phi_2244_ = (_e1307 + 1u);
+                        let _e1343 = phi_2295_;
+                        let _e1349 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1343) * _e1098)) ^ _e56)));
+                        let _e1355 = select(_e1343, 0u, (select(select(_e947.member_1[1], _e1349, (_e1349 < _e947.member_1[1])), _e947.member_1[1], (_e1343 == 1023u)) > _e887.member_1.y));
+                        if (_e1355 < 1023u) {
+                            let _e1362 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1355) * _e1098)) ^ _e56)));
+                            let _e1367 = (select(select(_e947.member_1[1], _e1362, (_e1362 < _e947.member_1[1])), _e947.member_1[1], (_e1355 == 1023u)) < _e887.member_1.y);
+                            if _e1367 {
+                                phi_2356_ = (_e1355 + 1u);
                             } else {
-                                phi_2244_ = u32();
+                                phi_2356_ = u32();
                             }
-                            let _e1322 = phi_2244_;
-                            phi_2246_ = _e1322;
-                            phi_2247_ = select(true, false, _e1319);
+                            let _e1370 = phi_2356_;
+                            phi_2358_ = _e1370;
+                            phi_2359_ = select(true, false, _e1367);
                         } else {
-                            phi_2246_ = u32();
-                            phi_2247_ = true;
+                            phi_2358_ = u32();
+                            phi_2359_ = true;
                         }
-                        let _e1325 = phi_2246_;
-                        let _e1327 = phi_2247_;
-                        if _e1079 {
-                            phi_2263_ = (((_e851.member_1.z - _e908.member[2]) / _e1078) * 1023f);
+                        let _e1373 = phi_2358_;
+                        let _e1375 = phi_2359_;
+                        let _e1376 = select(_e1373, _e1355, _e1375);
+                        let _e1382 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1376) * _e1098)) ^ _e56)));
+                        if _e1115 {
+                            phi_2403_ = (((_e887.member_1.z - _e944.member[2]) / _e1114) * 1023f);
                         } else {
-                            phi_2263_ = 0f;
+                            phi_2403_ = 0f;
                         }
-                        let _e1336 = phi_2263_;
-                        let _e1338 = select(1023f, _e1336, (_e1336 < 1023f));
-                        let _e1340 = select(0f, _e1338, (_e1338 > 0f));
-                        let _e1345 = select(select(u32(_e1340), 0u, (_e1340 < 0f)), 4294967295u, (_e1340 > 4294967000f));
-                        if (_e1345 > 0u) {
-                            let _e1352 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1345) * _e1143)) ^ _e56)));
-                            let _e1357 = (select(select(_e911.member_1[2], _e1352, (_e1352 < _e911.member_1[2])), _e911.member_1[2], (_e1345 == 1023u)) > _e851.member_1.z);
-                            if _e1357 {
-                                phi_2314_ = (_e1345 - 1u);
+                        let _e1396 = phi_2403_;
+                        let _e1398 = select(1023f, _e1396, (_e1396 < 1023f));
+                        let _e1400 = select(0f, _e1398, (_e1398 > 0f));
+                        let _e1405 = select(select(u32(_e1400), 0u, (_e1400 < 0f)), 4294967295u, (_e1400 > 4294967000f));
+                        if (_e1405 > 0u) {
+                            let _e1412 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1405) * _e1179)) ^ _e56)));
+                            let _e1417 = (select(select(_e947.member_1[2], _e1412, (_e1412 < _e947.member_1[2])), _e947.member_1[2], (_e1405 == 1023u)) > _e887.member_1.z);
+                            if _e1417 {
+                                phi_2454_ = (_e1405 - 1u);
                             } else {
-                                phi_2314_ = u32();
+                                phi_2454_ = u32();
                             }
-                            let _e1360 = phi_2314_;
-                            phi_2316_ = _e1360;
-                            phi_2317_ = select(true, false, _e1357);
+                            let _e1420 = phi_2454_;
+                            phi_2456_ = _e1420;
+                            phi_2457_ = select(true, false, _e1417);
                         } else {
-                            phi_2316_ = u32();
-                            phi_2317_ = true;
+                            phi_2456_ = u32();
+                            phi_2457_ = true;
                         }
-                        let _e1363 = phi_2316_;
-                        let _e1365 = phi_2317_;
-                        if _e1365 {
-                            if (_e1345 < 1023u) {
-                                let _e1367 = (_e1345 + 1u);
-                                let _e1373 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1367) * _e1143)) ^ _e56)));
-                                phi_2355_ = select(_e1345, _e1367, (select(select(_e911.member_1[2], _e1373, (_e1373 < _e911.member_1[2])), _e911.member_1[2], (_e1367 == 1023u)) <= _e851.member_1.z));
+                        let _e1423 = phi_2456_;
+                        let _e1425 = phi_2457_;
+                        if _e1425 {
+                            if (_e1405 < 1023u) {
+                                let _e1427 = (_e1405 + 1u);
+                                let _e1433 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1427) * _e1179)) ^ _e56)));
+                                phi_2495_ = select(_e1405, _e1427, (select(select(_e947.member_1[2], _e1433, (_e1433 < _e947.member_1[2])), _e947.member_1[2], (_e1427 == 1023u)) <= _e887.member_1.z));
                             } else {
-                                phi_2355_ = _e1345;
+                                phi_2495_ = _e1405;
                             }
-                            let _e1381 = phi_2355_;
-                            phi_2356_ = _e1381;
+                            let _e1441 = phi_2495_;
+                            phi_2496_ = _e1441;
                         } else {
-                            phi_2356_ = _e1363;
+                            phi_2496_ = _e1423;
                         }
-                        let _e1383 = phi_2356_;
-                        let _e1389 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1383) * _e1143)) ^ _e56)));
-                        let _e1395 = select(_e1383, 0u, (select(select(_e911.member_1[2], _e1389, (_e1389 < _e911.member_1[2])), _e911.member_1[2], (_e1383 == 1023u)) > _e851.member_1.z));
-                        if (_e1395 < 1023u) {
-                            let _e1402 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1395) * _e1143)) ^ _e56)));
-                            let _e1407 = (select(select(_e911.member_1[2], _e1402, (_e1402 < _e911.member_1[2])), _e911.member_1[2], (_e1395 == 1023u)) < _e851.member_1.z);
-                            if _e1407 {
-                                phi_2417_ = (_e1395 + 1u);
+                        let _e1443 = phi_2496_;
+                        let _e1449 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1443) * _e1179)) ^ _e56)));
+                        let _e1455 = select(_e1443, 0u, (select(select(_e947.member_1[2], _e1449, (_e1449 < _e947.member_1[2])), _e947.member_1[2], (_e1443 == 1023u)) > _e887.member_1.z));
+                        if (_e1455 < 1023u) {
+                            let _e1462 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1455) * _e1179)) ^ _e56)));
+                            let _e1467 = (select(select(_e947.member_1[2], _e1462, (_e1462 < _e947.member_1[2])), _e947.member_1[2], (_e1455 == 1023u)) < _e887.member_1.z);
+                            if _e1467 {
+                                phi_2557_ = (_e1455 + 1u);
                             } else {
-                                phi_2417_ = u32();
+                                phi_2557_ = u32();
                             }
-                            let _e1410 = phi_2417_;
-                            phi_2419_ = _e1410;
-                            phi_2420_ = select(true, false, _e1407);
+                            let _e1470 = phi_2557_;
+                            phi_2559_ = _e1470;
+                            phi_2560_ = select(true, false, _e1467);
                         } else {
-                            phi_2419_ = u32();
-                            phi_2420_ = true;
+                            phi_2559_ = u32();
+                            phi_2560_ = true;
                         }
-                        let _e1413 = phi_2419_;
-                        let _e1415 = phi_2420_;
-                        if _e920 {
-                            phi_2445_ = (((_e882.member.x - _e908.member[0]) / _e919) * 1023f);
+                        let _e1473 = phi_2559_;
+                        let _e1475 = phi_2560_;
+                        let _e1476 = select(_e1473, _e1455, _e1475);
+                        let _e1482 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1476) * _e1179)) ^ _e56)));
+                        if _e956 {
+                            phi_2613_ = (((_e918.member.x - _e944.member[0]) / _e955) * 1023f);
                         } else {
-                            phi_2445_ = 0f;
+                            phi_2613_ = 0f;
                         }
-                        let _e1425 = phi_2445_;
-                        let _e1427 = select(1023f, _e1425, (_e1425 < 1023f));
-                        let _e1429 = select(0f, _e1427, (_e1427 > 0f));
-                        let _e1434 = select(select(u32(_e1429), 0u, (_e1429 < 0f)), 4294967295u, (_e1429 > 4294967000f));
-                        if (_e1434 > 0u) {
-                            let _e1441 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1434) * _e984)) ^ _e56)));
-                            let _e1446 = (select(select(_e911.member_1[0], _e1441, (_e1441 < _e911.member_1[0])), _e911.member_1[0], (_e1434 == 1023u)) > _e882.member.x);
-                            if _e1446 {
-                                phi_2496_ = (_e1434 - 1u);
+                        let _e1497 = phi_2613_;
+                        let _e1499 = select(1023f, _e1497, (_e1497 < 1023f));
+                        let _e1501 = select(0f, _e1499, (_e1499 > 0f));
+                        let _e1506 = select(select(u32(_e1501), 0u, (_e1501 < 0f)), 4294967295u, (_e1501 > 4294967000f));
+                        if (_e1506 > 0u) {
+                            let _e1513 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1506) * _e1020)) ^ _e56)));
+                            let _e1518 = (select(select(_e947.member_1[0], _e1513, (_e1513 < _e947.member_1[0])), _e947.member_1[0], (_e1506 == 1023u)) > _e918.member.x);
+                            if _e1518 {
+                                phi_2664_ = (_e1506 - 1u);
                             } else {
-                                phi_2496_ = u32();
+                                phi_2664_ = u32();
                             }
-                            let _e1449 = phi_2496_;
-                            phi_2498_ = _e1449;
-                            phi_2499_ = select(true, false, _e1446);
+                            let _e1521 = phi_2664_;
+                            phi_2666_ = _e1521;
+                            phi_2667_ = select(true, false, _e1518);
                         } else {
-                            phi_2498_ = u32();
-                            phi_2499_ = true;
+                            phi_2666_ = u32();
+                            phi_2667_ = true;
                         }
-                        let _e1452 = phi_2498_;
-                        let _e1454 = phi_2499_;
-                        if _e1454 {
-                            if (_e1434 < 1023u) {
-                                let _e1456 = (_e1434 + 1u);
-                                let _e1462 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1456) * _e984)) ^ _e56)));
-                                phi_2537_ = select(_e1434, _e1456, (select(select(_e911.member_1[0], _e1462, (_e1462 < _e911.member_1[0])), _e911.member_1[0], (_e1456 == 1023u)) <= _e882.member.x));
+                        let _e1524 = phi_2666_;
+                        let _e1526 = phi_2667_;
+                        if _e1526 {
+                            if (_e1506 < 1023u) {
+                                let _e1528 = (_e1506 + 1u);
+                                let _e1534 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1528) * _e1020)) ^ _e56)));
+                                phi_2705_ = select(_e1506, _e1528, (select(select(_e947.member_1[0], _e1534, (_e1534 < _e947.member_1[0])), _e947.member_1[0], (_e1528 == 1023u)) <= _e918.member.x));
                             } else {
-                                phi_2537_ = _e1434;
+                                phi_2705_ = _e1506;
                             }
-                            let _e1470 = phi_2537_;
-                            phi_2538_ = _e1470;
+                            let _e1542 = phi_2705_;
+                            phi_2706_ = _e1542;
                         } else {
-                            phi_2538_ = _e1452;
+                            phi_2706_ = _e1524;
                         }
-                        let _e1472 = phi_2538_;
-                        let _e1478 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1472) * _e984)) ^ _e56)));
-                        if _e998 {
-                            phi_2576_ = (((_e882.member.y - _e908.member[1]) / _e997) * 1023f);
+                        let _e1544 = phi_2706_;
+                        let _e1550 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1544) * _e1020)) ^ _e56)));
+                        if _e1034 {
+                            phi_2744_ = (((_e918.member.y - _e944.member[1]) / _e1033) * 1023f);
                         } else {
-                            phi_2576_ = 0f;
+                            phi_2744_ = 0f;
                         }
-                        let _e1489 = phi_2576_;
-                        let _e1491 = select(1023f, _e1489, (_e1489 < 1023f));
-                        let _e1493 = select(0f, _e1491, (_e1491 > 0f));
-                        let _e1498 = select(select(u32(_e1493), 0u, (_e1493 < 0f)), 4294967295u, (_e1493 > 4294967000f));
-                        if (_e1498 > 0u) {
-                            let _e1505 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1498) * _e1062)) ^ _e56)));
-                            let _e1510 = (select(select(_e911.member_1[1], _e1505, (_e1505 < _e911.member_1[1])), _e911.member_1[1], (_e1498 == 1023u)) > _e882.member.y);
-                            if _e1510 {
-                                phi_2627_ = (_e1498 - 1u);
+                        let _e1561 = phi_2744_;
+                        let _e1563 = select(1023f, _e1561, (_e1561 < 1023f));
+                        let _e1565 = select(0f, _e1563, (_e1563 > 0f));
+                        let _e1570 = select(select(u32(_e1565), 0u, (_e1565 < 0f)), 4294967295u, (_e1565 > 4294967000f));
+                        if (_e1570 > 0u) {
+                            let _e1577 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1570) * _e1098)) ^ _e56)));
+                            let _e1582 = (select(select(_e947.member_1[1], _e1577, (_e1577 < _e947.member_1[1])), _e947.member_1[1], (_e1570 == 1023u)) > _e918.member.y);
+                            if _e1582 {
+                                phi_2795_ = (_e1570 - 1u);
                             } else {
-                                phi_2627_ = u32();
+                                phi_2795_ = u32();
                             }
-                            let _e1513 = phi_2627_;
-                            phi_2629_ = _e1513;
-                            phi_2630_ = select(true, false, _e1510);
+                            let _e1585 = phi_2795_;
+                            phi_2797_ = _e1585;
+                            phi_2798_ = select(true, false, _e1582);
                         } else {
-                            phi_2629_ = u32();
-                            phi_2630_ = true;
+                            phi_2797_ = u32();
+                            phi_2798_ = true;
                         }
-                        let _e1516 = phi_2629_;
-                        let _e1518 = phi_2630_;
-                        if _e1518 {
-                            if (_e1498 < 1023u) {
-                                let _e1520 = (_e1498 + 1u);
-                                let _e1526 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1520) * _e1062)) ^ _e56)));
-                                phi_2668_ = select(_e1498, _e1520, (select(select(_e911.member_1[1], _e1526, (_e1526 < _e911.member_1[1])), _e911.member_1[1], (_e1520 == 1023u)) <= _e882.member.y));
+                        let _e1588 = phi_2797_;
+                        let _e1590 = phi_2798_;
+                        if _e1590 {
+                            if (_e1570 < 1023u) {
+                                let _e1592 = (_e1570 + 1u);
+                                let _e1598 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1592) * _e1098)) ^ _e56)));
+                                phi_2836_ = select(_e1570, _e1592, (select(select(_e947.member_1[1], _e1598, (_e1598 < _e947.member_1[1])), _e947.member_1[1], (_e1592 == 1023u)) <= _e918.member.y));
                             } else {
-                                phi_2668_ = _e1498;
+                                phi_2836_ = _e1570;
                             }
-                            let _e1534 = phi_2668_;
-                            phi_2669_ = _e1534;
+                            let _e1606 = phi_2836_;
+                            phi_2837_ = _e1606;
                         } else {
-                            phi_2669_ = _e1516;
+                            phi_2837_ = _e1588;
                         }
-                        let _e1536 = phi_2669_;
-                        let _e1542 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1536) * _e1062)) ^ _e56)));
-                        if _e1079 {
-                            phi_2709_ = (((_e882.member.z - _e908.member[2]) / _e1078) * 1023f);
+                        let _e1608 = phi_2837_;
+                        let _e1614 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1608) * _e1098)) ^ _e56)));
+                        if _e1115 {
+                            phi_2877_ = (((_e918.member.z - _e944.member[2]) / _e1114) * 1023f);
                         } else {
-                            phi_2709_ = 0f;
+                            phi_2877_ = 0f;
                         }
-                        let _e1556 = phi_2709_;
-                        let _e1558 = select(1023f, _e1556, (_e1556 < 1023f));
-                        let _e1560 = select(0f, _e1558, (_e1558 > 0f));
-                        let _e1565 = select(select(u32(_e1560), 0u, (_e1560 < 0f)), 4294967295u, (_e1560 > 4294967000f));
-                        if (_e1565 > 0u) {
-                            let _e1572 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1565) * _e1143)) ^ _e56)));
-                            let _e1577 = (select(select(_e911.member_1[2], _e1572, (_e1572 < _e911.member_1[2])), _e911.member_1[2], (_e1565 == 1023u)) > _e882.member.z);
-                            if _e1577 {
-                                phi_2760_ = (_e1565 - 1u);
+                        let _e1628 = phi_2877_;
+                        let _e1630 = select(1023f, _e1628, (_e1628 < 1023f));
+                        let _e1632 = select(0f, _e1630, (_e1630 > 0f));
+                        let _e1637 = select(select(u32(_e1632), 0u, (_e1632 < 0f)), 4294967295u, (_e1632 > 4294967000f));
+                        if (_e1637 > 0u) {
+                            let _e1644 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1637) * _e1179)) ^ _e56)));
+                            let _e1649 = (select(select(_e947.member_1[2], _e1644, (_e1644 < _e947.member_1[2])), _e947.member_1[2], (_e1637 == 1023u)) > _e918.member.z);
+                            if _e1649 {
+                                phi_2928_ = (_e1637 - 1u);
                             } else {
-                                phi_2760_ = u32();
+                                phi_2928_ = u32();
                             }
-                            let _e1580 = phi_2760_;
-                            phi_2762_ = _e1580;
-                            phi_2763_ = select(true, false, _e1577);
+                            let _e1652 = phi_2928_;
+                            phi_2930_ = _e1652;
+                            phi_2931_ = select(true, false, _e1649);
                         } else {
-                            phi_2762_ = u32();
-                            phi_2763_ = true;
+                            phi_2930_ = u32();
+                            phi_2931_ = true;
                         }
-                        let _e1583 = phi_2762_;
-                        let _e1585 = phi_2763_;
-                        if _e1585 {
-                            if (_e1565 < 1023u) {
-                                let _e1587 = (_e1565 + 1u);
-                                let _e1593 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1587) * _e1143)) ^ _e56)));
-                                phi_2801_ = select(_e1565, _e1587, (select(select(_e911.member_1[2], _e1593, (_e1593 < _e911.member_1[2])), _e911.member_1[2], (_e1587 == 1023u)) <= _e882.member.z));
+                        let _e1655 = phi_2930_;
+                        let _e1657 = phi_2931_;
+                        if _e1657 {
+                            if (_e1637 < 1023u) {
+                                let _e1659 = (_e1637 + 1u);
+                                let _e1665 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1659) * _e1179)) ^ _e56)));
+                                phi_2969_ = select(_e1637, _e1659, (select(select(_e947.member_1[2], _e1665, (_e1665 < _e947.member_1[2])), _e947.member_1[2], (_e1659 == 1023u)) <= _e918.member.z));
                             } else {
-                                phi_2801_ = _e1565;
+                                phi_2969_ = _e1637;
                             }
-                            let _e1601 = phi_2801_;
-                            phi_2802_ = _e1601;
+                            let _e1673 = phi_2969_;
+                            phi_2970_ = _e1673;
                         } else {
-                            phi_2802_ = _e1583;
+                            phi_2970_ = _e1655;
                         }
-                        let _e1603 = phi_2802_;
-                        let _e1609 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1603) * _e1143)) ^ _e56)));
-                        if _e920 {
-                            phi_2842_ = (((_e882.member_1.x - _e908.member[0]) / _e919) * 1023f);
+                        let _e1675 = phi_2970_;
+                        let _e1681 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1675) * _e1179)) ^ _e56)));
+                        if _e956 {
+                            phi_3010_ = (((_e918.member_1.x - _e944.member[0]) / _e955) * 1023f);
                         } else {
-                            phi_2842_ = 0f;
+                            phi_3010_ = 0f;
                         }
-                        let _e1623 = phi_2842_;
-                        let _e1625 = select(1023f, _e1623, (_e1623 < 1023f));
-                        let _e1627 = select(0f, _e1625, (_e1625 > 0f));
-                        let _e1632 = select(select(u32(_e1627), 0u, (_e1627 < 0f)), 4294967295u, (_e1627 > 4294967000f));
-                        if (_e1632 > 0u) {
-                            let _e1639 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1632) * _e984)) ^ _e56)));
-                            let _e1644 = (select(select(_e911.member_1[0], _e1639, (_e1639 < _e911.member_1[0])), _e911.member_1[0], (_e1632 == 1023u)) > _e882.member_1.x);
-                            if _e1644 {
-                                phi_2893_ = (_e1632 - 1u);
+                        let _e1695 = phi_3010_;
+                        let _e1697 = select(1023f, _e1695, (_e1695 < 1023f));
+                        let _e1699 = select(0f, _e1697, (_e1697 > 0f));
+                        let _e1704 = select(select(u32(_e1699), 0u, (_e1699 < 0f)), 4294967295u, (_e1699 > 4294967000f));
+                        if (_e1704 > 0u) {
+                            let _e1711 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1704) * _e1020)) ^ _e56)));
+                            let _e1716 = (select(select(_e947.member_1[0], _e1711, (_e1711 < _e947.member_1[0])), _e947.member_1[0], (_e1704 == 1023u)) > _e918.member_1.x);
+                            if _e1716 {
+                                phi_3061_ = (_e1704 - 1u);
                             } else {
-                                phi_2893_ = u32();
+                                phi_3061_ = u32();
                             }
-                            let _e1647 = phi_2893_;
-                            phi_2895_ = _e1647;
-                            phi_2896_ = select(true, false, _e1644);
+                            let _e1719 = phi_3061_;
+                            phi_3063_ = _e1719;
+                            phi_3064_ = select(true, false, _e1716);
                         } else {
-                            phi_2895_ = u32();
-                            phi_2896_ = true;
+                            phi_3063_ = u32();
+                            phi_3064_ = true;
                         }
-                        let _e1650 = phi_2895_;
-                        let _e1652 = phi_2896_;
-                        if _e1652 {
-                            if (_e1632 < 1023u) {
-                                let _e1654 = (_e1632 + 1u);
-                                let _e1660 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1654) * _e984)) ^ _e56)));
-                                phi_2934_ = select(_e1632, _e1654, (select(select(_e911.member_1[0], _e1660, (_e1660 < _e911.member_1[0])), _e911.member_1[0], (_e1654 == 1023u)) <= _e882.member_1.x));
+                        let _e1722 = phi_3063_;
+                        let _e1724 = phi_3064_;
+                        if _e1724 {
+                            if (_e1704 < 1023u) {
+                                let _e1726 = (_e1704 + 1u);
+                                let _e1732 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1726) * _e1020)) ^ _e56)));
+                                phi_3102_ = select(_e1704, _e1726, (select(select(_e947.member_1[0], _e1732, (_e1732 < _e947.member_1[0])), _e947.member_1[0], (_e1726 == 1023u)) <= _e918.member_1.x));
                             } else {
-                                phi_2934_ = _e1632;
+                                phi_3102_ = _e1704;
                             }
-                            let _e1668 = phi_2934_;
-                            phi_2935_ = _e1668;
+                            let _e1740 = phi_3102_;
+                            phi_3103_ = _e1740;
                         } else {
-                            phi_2935_ = _e1650;
+                            phi_3103_ = _e1722;
                         }
-                        let _e1670 = phi_2935_;
-                        let _e1676 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1670) * _e984)) ^ _e56)));
-                        let _e1682 = select(_e1670, 0u, (select(select(_e911.member_1[0], _e1676, (_e1676 < _e911.member_1[0])), _e911.member_1[0], (_e1670 == 1023u)) > _e882.member_1.x));
-                        if (_e1682 < 1023u) {
-                            let _e1689 = (_e908.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1682) * _e984)) ^ _e56)));
-                            let _e1694 = (select(select(_e911.member_1[0], _e1689, (_e1689 < _e911.member_1[0])), _e911.member_1[0], (_e1682 == 1023u)) < _e882.member_1.x);
-                            if _e1694 {
-                                phi_2996_ = (_e1682 + 1u);
+                        let _e1742 = phi_3103_;
+                        let _e1748 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1742) * _e1020)) ^ _e56)));
+                        let _e1754 = select(_e1742, 0u, (select(select(_e947.member_1[0], _e1748, (_e1748 < _e947.member_1[0])), _e947.member_1[0], (_e1742 == 1023u)) > _e918.member_1.x));
+                        if (_e1754 < 1023u) {
+                            let _e1761 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1754) * _e1020)) ^ _e56)));
+                            let _e1766 = (select(select(_e947.member_1[0], _e1761, (_e1761 < _e947.member_1[0])), _e947.member_1[0], (_e1754 == 1023u)) < _e918.member_1.x);
+                            if _e1766 {
+                                phi_3164_ = (_e1754 + 1u);
                             } else {
-                                phi_2996_ = u32();
+                                phi_3164_ = u32();
                             }
-                            let _e1697 = phi_2996_;
-                            phi_2998_ = _e1697;
-                            phi_2999_ = select(true, false, _e1694);
+                            let _e1769 = phi_3164_;
+                            phi_3166_ = _e1769;
+                            phi_3167_ = select(true, false, _e1766);
                         } else {
-                            phi_2998_ = u32();
-                            phi_2999_ = true;
+                            phi_3166_ = u32();
+                            phi_3167_ = true;
                         }
-                        let _e1700 = phi_2998_;
-                        let _e1702 = phi_2999_;
-                        if _e998 {
-                            phi_3013_ = (((_e882.member_1.y - _e908.member[1]) / _e997) * 1023f);
+                        let _e1772 = phi_3166_;
+                        let _e1774 = phi_3167_;
+                        let _e1775 = select(_e1772, _e1754, _e1774);
+                        let _e1781 = (_e944.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1775) * _e1020)) ^ _e56)));
+                        if _e1034 {
+                            phi_3209_ = (((_e918.member_1.y - _e944.member[1]) / _e1033) * 1023f);
                         } else {
-                            phi_3013_ = 0f;
+                            phi_3209_ = 0f;
                         }
-                        let _e1708 = phi_3013_;
-                        let _e1710 = select(1023f, _e1708, (_e1708 < 1023f));
-                        let _e1712 = select(0f, _e1710, (_e1710 > 0f));
-                        let _e1717 = select(select(u32(_e1712), 0u, (_e1712 < 0f)), 4294967295u, (_e1712 > 4294967000f));
-                        if (_e1717 > 0u) {
-                            let _e1724 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1717) * _e1062)) ^ _e56)));
-                            let _e1729 = (select(select(_e911.member_1[1], _e1724, (_e1724 < _e911.member_1[1])), _e911.member_1[1], (_e1717 == 1023u)) > _e882.member_1.y);
-                            if _e1729 {
-                                phi_3064_ = (_e1717 - 1u);
+                        let _e1792 = phi_3209_;
+                        let _e1794 = select(1023f, _e1792, (_e1792 < 1023f));
+                        let _e1796 = select(0f, _e1794, (_e1794 > 0f));
+                        let _e1801 = select(select(u32(_e1796), 0u, (_e1796 < 0f)), 4294967295u, (_e1796 > 4294967000f));
+                        if (_e1801 > 0u) {
+                            let _e1808 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1801) * _e1098)) ^ _e56)));
+                            let _e1813 = (select(select(_e947.member_1[1], _e1808, (_e1808 < _e947.member_1[1])), _e947.member_1[1], (_e1801 == 1023u)) > _e918.member_1.y);
+                            if _e1813 {
+                                phi_3260_ = (_e1801 - 1u);
                             } else {
-                                phi_3064_ = u32();
+                                phi_3260_ = u32();
                             }
-                            let _e1732 = phi_3064_;
-                            phi_3066_ = _e1732;
-                            phi_3067_ = select(true, false, _e1729);
+                            let _e1816 = phi_3260_;
+                            phi_3262_ = _e1816;
+                            phi_3263_ = select(true, false, _e1813);
                         } else {
-                            phi_3066_ = u32();
-                            phi_3067_ = true;
+                            phi_3262_ = u32();
+                            phi_3263_ = true;
                         }
-                        let _e1735 = phi_3066_;
-                        let _e1737 = phi_3067_;
-                        if _e1737 {
-                            if (_e1717 < 1023u) {
-                                let _e1739 = (_e1717 + 1u);
-                                let _e1745 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1739) * _e1062)) ^ _e56)));
-                                phi_3105_ = select(_e1717, _e1739, (select(select(_e911.member_1[1], _e1745, (_e1745 < _e911.member_1[1])), _e911.member_1[1], (_e1739 == 1023u)) <= _e882.member_1.y));
+                        let _e1819 = phi_3262_;
+                        let _e1821 = phi_3263_;
+                        if _e1821 {
+                            if (_e1801 < 1023u) {
+                                let _e1823 = (_e1801 + 1u);
+                                let _e1829 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1823) * _e1098)) ^ _e56)));
+                                phi_3301_ = select(_e1801, _e1823, (select(select(_e947.member_1[1], _e1829, (_e1829 < _e947.member_1[1])), _e947.member_1[1], (_e1823 == 1023u)) <= _e918.member_1.y));
                             } else {
-                                phi_3105_ = _e1717;
+                                phi_3301_ = _e1801;
                             }
-                            let _e1753 = phi_3105_;
-                            phi_3106_ = _e1753;
+                            let _e1837 = phi_3301_;
+                            phi_3302_ = _e1837;
                         } else {
-                            phi_3106_ = _e1735;
+                            phi_3302_ = _e1819;
                         }
-                        let _e1755 = phi_3106_;
-                        let _e1761 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1755) * _e1062)) ^ _e56)));
-                        let _e1767 = select(_e1755, 0u, (select(select(_e911.member_1[1], _e1761, (_e1761 < _e911.member_1[1])), _e911.member_1[1], (_e1755 == 1023u)) > _e882.member_1.y));
-                        if (_e1767 < 1023u) {
-                            let _e1774 = (_e908.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1767) * _e1062)) ^ _e56)));
-                            let _e1779 = (select(select(_e911.member_1[1], _e1774, (_e1774 < _e911.member_1[1])), _e911.member_1[1], (_e1767 == 1023u)) < _e882.member_1.y);
-                            if _e1779 {
-                                phi_3167_ = (_e1767 + 1u);
+                        let _e1839 = phi_3302_;
+                        let _e1845 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1839) * _e1098)) ^ _e56)));
+                        let _e1851 = select(_e1839, 0u, (select(select(_e947.member_1[1], _e1845, (_e1845 < _e947.member_1[1])), _e947.member_1[1], (_e1839 == 1023u)) > _e918.member_1.y));
+                        if (_e1851 < 1023u) {
+                            let _e1858 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1851) * _e1098)) ^ _e56)));
+                            let _e1863 = (select(select(_e947.member_1[1], _e1858, (_e1858 < _e947.member_1[1])), _e947.member_1[1], (_e1851 == 1023u)) < _e918.member_1.y);
+                            if _e1863 {
+                                phi_3363_ = (_e1851 + 1u);
                             } else {
-                                phi_3167_ = u32();
+                                phi_3363_ = u32();
                             }
-                            let _e1782 = phi_3167_;
-                            phi_3169_ = _e1782;
-                            phi_3170_ = select(true, false, _e1779);
+                            let _e1866 = phi_3363_;
+                            phi_3365_ = _e1866;
+                            phi_3366_ = select(true, false, _e1863);
                         } else {
-                            phi_3169_ = u32();
-                            phi_3170_ = true;
+                            phi_3365_ = u32();
+                            phi_3366_ = true;
                         }
-                        let _e1785 = phi_3169_;
-                        let _e1787 = phi_3170_;
-                        if _e1079 {
-                            phi_3186_ = (((_e882.member_1.z - _e908.member[2]) / _e1078) * 1023f);
+                        let _e1869 = phi_3365_;
+                        let _e1871 = phi_3366_;
+                        let _e1872 = select(_e1869, _e1851, _e1871);
+                        let _e1878 = (_e944.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1872) * _e1098)) ^ _e56)));
+                        if _e1115 {
+                            phi_3410_ = (((_e918.member_1.z - _e944.member[2]) / _e1114) * 1023f);
                         } else {
-                            phi_3186_ = 0f;
+                            phi_3410_ = 0f;
                         }
-                        let _e1796 = phi_3186_;
-                        let _e1798 = select(1023f, _e1796, (_e1796 < 1023f));
-                        let _e1800 = select(0f, _e1798, (_e1798 > 0f));
-                        let _e1805 = select(select(u32(_e1800), 0u, (_e1800 < 0f)), 4294967295u, (_e1800 > 4294967000f));
-                        if (_e1805 > 0u) {
-                            let _e1812 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1805) * _e1143)) ^ _e56)));
-                            let _e1817 = (select(select(_e911.member_1[2], _e1812, (_e1812 < _e911.member_1[2])), _e911.member_1[2], (_e1805 == 1023u)) > _e882.member_1.z);
-                            if _e1817 {
-                                phi_3237_ = (_e1805 - 1u);
+                        let _e1892 = phi_3410_;
+                        let _e1894 = select(1023f, _e1892, (_e1892 < 1023f));
+                        let _e1896 = select(0f, _e1894, (_e1894 > 0f));
+                        let _e1901 = select(select(u32(_e1896), 0u, (_e1896 < 0f)), 4294967295u, (_e1896 > 4294967000f));
+                        if (_e1901 > 0u) {
+                            let _e1908 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1901) * _e1179)) ^ _e56)));
+                            let _e1913 = (select(select(_e947.member_1[2], _e1908, (_e1908 < _e947.member_1[2])), _e947.member_1[2], (_e1901 == 1023u)) > _e918.member_1.z);
+                            if _e1913 {
+                                phi_3461_ = (_e1901 - 1u);
                             } else {
-                                phi_3237_ = u32();
+                                phi_3461_ = u32();
                             }
-                            let _e1820 = phi_3237_;
-                            phi_3239_ = _e1820;
-                            phi_3240_ = select(true, false, _e1817);
+                            let _e1916 = phi_3461_;
+                            phi_3463_ = _e1916;
+                            phi_3464_ = select(true, false, _e1913);
                         } else {
-                            phi_3239_ = u32();
-                            phi_3240_ = true;
+                            phi_3463_ = u32();
+                            phi_3464_ = true;
                         }
-                        let _e1823 = phi_3239_;
-                        let _e1825 = phi_3240_;
-                        if _e1825 {
-                            if (_e1805 < 1023u) {
-                                let _e1827 = (_e1805 + 1u);
-                                let _e1833 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1827) * _e1143)) ^ _e56)));
-                                phi_3278_ = select(_e1805, _e1827, (select(select(_e911.member_1[2], _e1833, (_e1833 < _e911.member_1[2])), _e911.member_1[2], (_e1827 == 1023u)) <= _e882.member_1.z));
+                        let _e1919 = phi_3463_;
+                        let _e1921 = phi_3464_;
+                        if _e1921 {
+                            if (_e1901 < 1023u) {
+                                let _e1923 = (_e1901 + 1u);
+                                let _e1929 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1923) * _e1179)) ^ _e56)));
+                                phi_3502_ = select(_e1901, _e1923, (select(select(_e947.member_1[2], _e1929, (_e1929 < _e947.member_1[2])), _e947.member_1[2], (_e1923 == 1023u)) <= _e918.member_1.z));
                             } else {
-                                phi_3278_ = _e1805;
+                                phi_3502_ = _e1901;
                             }
-                            let _e1841 = phi_3278_;
-                            phi_3279_ = _e1841;
+                            let _e1937 = phi_3502_;
+                            phi_3503_ = _e1937;
                         } else {
-                            phi_3279_ = _e1823;
+                            phi_3503_ = _e1919;
                         }
-                        let _e1843 = phi_3279_;
-                        let _e1849 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1843) * _e1143)) ^ _e56)));
-                        let _e1855 = select(_e1843, 0u, (select(select(_e911.member_1[2], _e1849, (_e1849 < _e911.member_1[2])), _e911.member_1[2], (_e1843 == 1023u)) > _e882.member_1.z));
-                        if (_e1855 < 1023u) {
-                            let _e1862 = (_e908.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1855) * _e1143)) ^ _e56)));
-                            let _e1867 = (select(select(_e911.member_1[2], _e1862, (_e1862 < _e911.member_1[2])), _e911.member_1[2], (_e1855 == 1023u)) < _e882.member_1.z);
-                            if _e1867 {
-                                phi_3340_ = (_e1855 + 1u);
+                        let _e1939 = phi_3503_;
+                        let _e1945 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1939) * _e1179)) ^ _e56)));
+                        let _e1951 = select(_e1939, 0u, (select(select(_e947.member_1[2], _e1945, (_e1945 < _e947.member_1[2])), _e947.member_1[2], (_e1939 == 1023u)) > _e918.member_1.z));
+                        if (_e1951 < 1023u) {
+                            let _e1958 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1951) * _e1179)) ^ _e56)));
+                            let _e1963 = (select(select(_e947.member_1[2], _e1958, (_e1958 < _e947.member_1[2])), _e947.member_1[2], (_e1951 == 1023u)) < _e918.member_1.z);
+                            if _e1963 {
+                                phi_3564_ = (_e1951 + 1u);
                             } else {
-                                phi_3340_ = u32();
+                                phi_3564_ = u32();
                             }
-                            let _e1870 = phi_3340_;
-                            phi_3342_ = _e1870;
-                            phi_3343_ = select(true, false, _e1867);
+                            let _e1966 = phi_3564_;
+                            phi_3566_ = _e1966;
+                            phi_3567_ = select(true, false, _e1963);
                         } else {
-                            phi_3342_ = u32();
-                            phi_3343_ = true;
+                            phi_3566_ = u32();
+                            phi_3567_ = true;
                         }
-                        let _e1873 = phi_3342_;
-                        let _e1875 = phi_3343_;
+                        let _e1969 = phi_3566_;
+                        let _e1971 = phi_3567_;
+                        let _e1972 = select(_e1969, _e1951, _e1971);
+                        let _e1978 = (_e944.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1972) * _e1179)) ^ _e56)));
                         if _e53 {
                         } else {
                             break;
                         }
-                        global_4.member[_e47] = type_30(array<u32, 2>(((select(_e980, 0u, (select(select(_e911.member_1[0], _e990, (_e990 < _e911.member_1[0])), _e911.member_1[0], (_e980 == 1023u)) > _e851.member.x)) | (select(_e1058, 0u, (select(select(_e911.member_1[1], _e1068, (_e1068 < _e911.member_1[1])), _e911.member_1[1], (_e1058 == 1023u)) > _e851.member.y)) << bitcast<u32>(10i))) | (select(_e1139, 0u, (select(select(_e911.member_1[2], _e1149, (_e1149 < _e911.member_1[2])), _e911.member_1[2], (_e1139 == 1023u)) > _e851.member.z)) << bitcast<u32>(20i))), ((select(_e1240, _e1222, _e1242) | (select(_e1325, _e1307, _e1327) << bitcast<u32>(10i))) | (select(_e1413, _e1395, _e1415) << bitcast<u32>(20i)))), array<u32, 2>(((select(_e1472, 0u, (select(select(_e911.member_1[0], _e1478, (_e1478 < _e911.member_1[0])), _e911.member_1[0], (_e1472 == 1023u)) > _e882.member.x)) | (select(_e1536, 0u, (select(select(_e911.member_1[1], _e1542, (_e1542 < _e911.member_1[1])), _e911.member_1[1], (_e1536 == 1023u)) > _e882.member.y)) << bitcast<u32>(10i))) | (select(_e1603, 0u, (select(select(_e911.member_1[2], _e1609, (_e1609 < _e911.member_1[2])), _e911.member_1[2], (_e1603 == 1023u)) > _e882.member.z)) << bitcast<u32>(20i))), ((select(_e1700, _e1682, _e1702) | (select(_e1785, _e1767, _e1787) << bitcast<u32>(10i))) | (select(_e1873, _e1855, _e1875) << bitcast<u32>(20i)))), _e824, _e855);
+                        global_4.member[_e47] = type_30(array<u32, 2>(((select(_e1016, 0u, (select(select(_e947.member_1[0], _e1026, (_e1026 < _e947.member_1[0])), _e947.member_1[0], (_e1016 == 1023u)) > _e887.member.x)) | (select(_e1094, 0u, (select(select(_e947.member_1[1], _e1104, (_e1104 < _e947.member_1[1])), _e947.member_1[1], (_e1094 == 1023u)) > _e887.member.y)) << bitcast<u32>(10i))) | (select(_e1175, 0u, (select(select(_e947.member_1[2], _e1185, (_e1185 < _e947.member_1[2])), _e947.member_1[2], (_e1175 == 1023u)) > _e887.member.z)) << bitcast<u32>(20i))), ((select(_e1279, 1023u, (select(select(_e947.member_1[0], _e1285, (_e1285 < _e947.member_1[0])), _e947.member_1[0], (_e1279 == 1023u)) < _e887.member_1.x)) | (select(_e1376, 1023u, (select(select(_e947.member_1[1], _e1382, (_e1382 < _e947.member_1[1])), _e947.member_1[1], (_e1376 == 1023u)) < _e887.member_1.y)) << bitcast<u32>(10i))) | (select(_e1476, 1023u, (select(select(_e947.member_1[2], _e1482, (_e1482 < _e947.member_1[2])), _e947.member_1[2], (_e1476 == 1023u)) < _e887.member_1.z)) << bitcast<u32>(20i)))), array<u32, 2>(((select(_e1544, 0u, (select(select(_e947.member_1[0], _e1550, (_e1550 < _e947.member_1[0])), _e947.member_1[0], (_e1544 == 1023u)) > _e918.member.x)) | (select(_e1608, 0u, (select(select(_e947.member_1[1], _e1614, (_e1614 < _e947.member_1[1])), _e947.member_1[1], (_e1608 == 1023u)) > _e918.member.y)) << bitcast<u32>(10i))) | (select(_e1675, 0u, (select(select(_e947.member_1[2], _e1681, (_e1681 < _e947.member_1[2])), _e947.member_1[2], (_e1675 == 1023u)) > _e918.member.z)) << bitcast<u32>(20i))), ((select(_e1775, 1023u, (select(select(_e947.member_1[0], _e1781, (_e1781 < _e947.member_1[0])), _e947.member_1[0], (_e1775 == 1023u)) < _e918.member_1.x)) | (select(_e1872, 1023u, (select(select(_e947.member_1[1], _e1878, (_e1878 < _e947.member_1[1])), _e947.member_1[1], (_e1872 == 1023u)) < _e918.member_1.y)) << bitcast<u32>(10i))) | (select(_e1972, 1023u, (select(select(_e947.member_1[2], _e1978, (_e1978 < _e947.member_1[2])), _e947.member_1[2], (_e1972 == 1023u)) < _e918.member_1.z)) << bitcast<u32>(20i)))), _e860, _e891);
                         if (_e47 == 0u) {
                             if (_e43 == 0u) {
                             } else {
@@ -1318,7 +1336,7 @@ fn function_() {
                                 } else {
                                     break;
                                 }
-                                global_5.member[0u] = type_25(array<u32, 4>(bitcast<u32>(_e908.member[0]), bitcast<u32>(_e908.member[1]), bitcast<u32>(_e908.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e911.member_1[0]), bitcast<u32>(_e911.member_1[1]), bitcast<u32>(_e911.member_1[2]), 0u));
+                                global_5.member[0u] = type_25(array<u32, 4>(bitcast<u32>(_e944.member[0]), bitcast<u32>(_e944.member[1]), bitcast<u32>(_e944.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e947.member_1[0]), bitcast<u32>(_e947.member_1[1]), bitcast<u32>(_e947.member_1[2]), 0u));
                             }
                         }
                     }

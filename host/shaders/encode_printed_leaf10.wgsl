@@ -124,259 +124,259 @@ fn function_() {
     var phi_928_: u32;
     var phi_930_: u32;
     var phi_931_: bool;
-    var phi_945_: f32;
-    var phi_996_: u32;
-    var phi_998_: u32;
-    var phi_999_: bool;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1099_: u32;
-    var phi_1101_: u32;
-    var phi_1102_: bool;
-    var phi_1118_: f32;
-    var phi_1169_: u32;
-    var phi_1171_: u32;
-    var phi_1172_: bool;
-    var phi_1210_: u32;
-    var phi_1211_: u32;
-    var phi_1272_: u32;
-    var phi_1274_: u32;
-    var phi_1275_: bool;
-    var phi_1467_: type_41;
-    var phi_1468_: u32;
+    var phi_973_: f32;
+    var phi_1024_: u32;
+    var phi_1026_: u32;
+    var phi_1027_: bool;
+    var phi_1065_: u32;
+    var phi_1066_: u32;
+    var phi_1127_: u32;
+    var phi_1129_: u32;
+    var phi_1130_: bool;
+    var phi_1174_: f32;
+    var phi_1225_: u32;
+    var phi_1227_: u32;
+    var phi_1228_: bool;
+    var phi_1266_: u32;
+    var phi_1267_: u32;
+    var phi_1328_: u32;
+    var phi_1330_: u32;
+    var phi_1331_: bool;
+    var phi_1551_: type_41;
+    var phi_1552_: u32;
     var phi_258_: type_41;
     var phi_260_: u32;
-    var phi_1470_: bool;
-    var phi_7529_: bool;
-    var phi_1498_: type_31;
-    var phi_1520_: type_31;
+    var phi_1554_: bool;
+    var phi_7781_: bool;
+    var phi_1582_: type_31;
+    var phi_1604_: type_31;
     var local: type_41;
     var local_1: type_41;
-    var phi_1551_: f32;
-    var phi_1602_: u32;
-    var phi_1604_: u32;
-    var phi_1605_: bool;
-    var phi_1643_: u32;
-    var phi_1644_: u32;
-    var phi_1682_: f32;
-    var phi_1733_: u32;
-    var phi_1735_: u32;
-    var phi_1736_: bool;
-    var phi_1774_: u32;
-    var phi_1775_: u32;
-    var phi_1815_: f32;
-    var phi_1866_: u32;
-    var phi_1868_: u32;
-    var phi_1869_: bool;
-    var phi_1907_: u32;
-    var phi_1908_: u32;
-    var phi_1948_: f32;
-    var phi_1999_: u32;
-    var phi_2001_: u32;
-    var phi_2002_: bool;
-    var phi_2040_: u32;
-    var phi_2041_: u32;
-    var phi_2102_: u32;
-    var phi_2104_: u32;
-    var phi_2105_: bool;
-    var phi_2119_: f32;
-    var phi_2170_: u32;
-    var phi_2172_: u32;
-    var phi_2173_: bool;
-    var phi_2211_: u32;
-    var phi_2212_: u32;
-    var phi_2273_: u32;
-    var phi_2275_: u32;
-    var phi_2276_: bool;
-    var phi_2292_: f32;
-    var phi_2343_: u32;
-    var phi_2345_: u32;
-    var phi_2346_: bool;
-    var phi_2384_: u32;
+    var phi_1635_: f32;
+    var phi_1686_: u32;
+    var phi_1688_: u32;
+    var phi_1689_: bool;
+    var phi_1727_: u32;
+    var phi_1728_: u32;
+    var phi_1766_: f32;
+    var phi_1817_: u32;
+    var phi_1819_: u32;
+    var phi_1820_: bool;
+    var phi_1858_: u32;
+    var phi_1859_: u32;
+    var phi_1899_: f32;
+    var phi_1950_: u32;
+    var phi_1952_: u32;
+    var phi_1953_: bool;
+    var phi_1991_: u32;
+    var phi_1992_: u32;
+    var phi_2032_: f32;
+    var phi_2083_: u32;
+    var phi_2085_: u32;
+    var phi_2086_: bool;
+    var phi_2124_: u32;
+    var phi_2125_: u32;
+    var phi_2186_: u32;
+    var phi_2188_: u32;
+    var phi_2189_: bool;
+    var phi_2231_: f32;
+    var phi_2282_: u32;
+    var phi_2284_: u32;
+    var phi_2285_: bool;
+    var phi_2323_: u32;
+    var phi_2324_: u32;
     var phi_2385_: u32;
-    var phi_2446_: u32;
-    var phi_2448_: u32;
-    var phi_2449_: bool;
-    var phi_2474_: f32;
+    var phi_2387_: u32;
+    var phi_2388_: bool;
+    var phi_2432_: f32;
+    var phi_2483_: u32;
+    var phi_2485_: u32;
+    var phi_2486_: bool;
+    var phi_2524_: u32;
     var phi_2525_: u32;
-    var phi_2527_: u32;
-    var phi_2528_: bool;
-    var phi_2566_: u32;
-    var phi_2567_: u32;
-    var phi_2605_: f32;
-    var phi_2656_: u32;
-    var phi_2658_: u32;
-    var phi_2659_: bool;
-    var phi_2697_: u32;
-    var phi_2698_: u32;
-    var phi_2738_: f32;
-    var phi_2789_: u32;
-    var phi_2791_: u32;
-    var phi_2792_: bool;
-    var phi_2830_: u32;
-    var phi_2831_: u32;
-    var phi_2871_: f32;
-    var phi_2922_: u32;
-    var phi_2924_: u32;
-    var phi_2925_: bool;
-    var phi_2963_: u32;
-    var phi_2964_: u32;
-    var phi_3025_: u32;
-    var phi_3027_: u32;
-    var phi_3028_: bool;
-    var phi_3042_: f32;
-    var phi_3093_: u32;
-    var phi_3095_: u32;
-    var phi_3096_: bool;
-    var phi_3134_: u32;
-    var phi_3135_: u32;
-    var phi_3196_: u32;
-    var phi_3198_: u32;
-    var phi_3199_: bool;
-    var phi_3215_: f32;
-    var phi_3266_: u32;
-    var phi_3268_: u32;
-    var phi_3269_: bool;
-    var phi_3307_: u32;
-    var phi_3308_: u32;
-    var phi_3369_: u32;
-    var phi_3371_: u32;
-    var phi_3372_: bool;
-    var phi_3766_: type_4;
-    var phi_3767_: type_4;
-    var phi_3790_: type_4;
-    var phi_3829_: f32;
-    var phi_3880_: u32;
-    var phi_3882_: u32;
-    var phi_3883_: bool;
-    var phi_3921_: u32;
-    var phi_3922_: u32;
-    var phi_3956_: u32;
-    var phi_4025_: f32;
-    var phi_4076_: u32;
-    var phi_4078_: u32;
-    var phi_4079_: bool;
-    var phi_4117_: u32;
-    var phi_4118_: u32;
-    var phi_4152_: u32;
-    var phi_4223_: f32;
-    var phi_4274_: u32;
-    var phi_4276_: u32;
-    var phi_4277_: bool;
-    var phi_4315_: u32;
-    var phi_4316_: u32;
-    var phi_4350_: u32;
-    var phi_4427_: f32;
-    var phi_4478_: u32;
-    var phi_4480_: u32;
-    var phi_4481_: bool;
-    var phi_4519_: u32;
-    var phi_4520_: u32;
-    var phi_4554_: u32;
-    var phi_4623_: f32;
-    var phi_4674_: u32;
-    var phi_4676_: u32;
-    var phi_4677_: bool;
-    var phi_4715_: u32;
-    var phi_4716_: u32;
-    var phi_4750_: u32;
-    var phi_4821_: f32;
-    var phi_4872_: u32;
-    var phi_4874_: u32;
-    var phi_4875_: bool;
-    var phi_4913_: u32;
-    var phi_4914_: u32;
-    var phi_4948_: u32;
-    var phi_5025_: f32;
-    var phi_5076_: u32;
-    var phi_5078_: u32;
-    var phi_5079_: bool;
-    var phi_5117_: u32;
-    var phi_5118_: u32;
-    var phi_5152_: u32;
-    var phi_5221_: f32;
-    var phi_5272_: u32;
-    var phi_5274_: u32;
-    var phi_5275_: bool;
-    var phi_5313_: u32;
-    var phi_5314_: u32;
-    var phi_5348_: u32;
-    var phi_5419_: f32;
-    var phi_5470_: u32;
-    var phi_5472_: u32;
-    var phi_5473_: bool;
-    var phi_5511_: u32;
-    var phi_5512_: u32;
-    var phi_5546_: u32;
-    var phi_7666_: bool;
-    var phi_8101_: bool;
-    var phi_5637_: type_4;
-    var phi_5638_: type_4;
-    var phi_5661_: type_4;
-    var phi_5700_: f32;
-    var phi_5751_: u32;
-    var phi_5753_: u32;
-    var phi_5754_: bool;
-    var phi_5792_: u32;
-    var phi_5793_: u32;
-    var phi_5827_: u32;
-    var phi_5896_: f32;
-    var phi_5947_: u32;
-    var phi_5949_: u32;
-    var phi_5950_: bool;
-    var phi_5988_: u32;
-    var phi_5989_: u32;
-    var phi_6023_: u32;
-    var phi_6094_: f32;
-    var phi_6145_: u32;
-    var phi_6147_: u32;
-    var phi_6148_: bool;
-    var phi_6186_: u32;
-    var phi_6187_: u32;
-    var phi_6221_: u32;
-    var phi_6298_: f32;
-    var phi_6349_: u32;
-    var phi_6351_: u32;
-    var phi_6352_: bool;
-    var phi_6390_: u32;
-    var phi_6391_: u32;
-    var phi_6425_: u32;
-    var phi_6494_: f32;
-    var phi_6545_: u32;
-    var phi_6547_: u32;
-    var phi_6548_: bool;
-    var phi_6586_: u32;
-    var phi_6587_: u32;
-    var phi_6621_: u32;
-    var phi_6692_: f32;
-    var phi_6743_: u32;
-    var phi_6745_: u32;
-    var phi_6746_: bool;
-    var phi_6784_: u32;
-    var phi_6785_: u32;
-    var phi_6819_: u32;
-    var phi_6896_: f32;
-    var phi_6947_: u32;
-    var phi_6949_: u32;
-    var phi_6950_: bool;
-    var phi_6988_: u32;
-    var phi_6989_: u32;
-    var phi_7023_: u32;
-    var phi_7092_: f32;
-    var phi_7143_: u32;
-    var phi_7145_: u32;
-    var phi_7146_: bool;
-    var phi_7184_: u32;
-    var phi_7185_: u32;
-    var phi_7219_: u32;
-    var phi_7290_: f32;
-    var phi_7341_: u32;
-    var phi_7343_: u32;
-    var phi_7344_: bool;
-    var phi_7382_: u32;
-    var phi_7383_: u32;
-    var phi_7417_: u32;
-    var phi_8097_: bool;
+    var phi_2586_: u32;
+    var phi_2588_: u32;
+    var phi_2589_: bool;
+    var phi_2642_: f32;
+    var phi_2693_: u32;
+    var phi_2695_: u32;
+    var phi_2696_: bool;
+    var phi_2734_: u32;
+    var phi_2735_: u32;
+    var phi_2773_: f32;
+    var phi_2824_: u32;
+    var phi_2826_: u32;
+    var phi_2827_: bool;
+    var phi_2865_: u32;
+    var phi_2866_: u32;
+    var phi_2906_: f32;
+    var phi_2957_: u32;
+    var phi_2959_: u32;
+    var phi_2960_: bool;
+    var phi_2998_: u32;
+    var phi_2999_: u32;
+    var phi_3039_: f32;
+    var phi_3090_: u32;
+    var phi_3092_: u32;
+    var phi_3093_: bool;
+    var phi_3131_: u32;
+    var phi_3132_: u32;
+    var phi_3193_: u32;
+    var phi_3195_: u32;
+    var phi_3196_: bool;
+    var phi_3238_: f32;
+    var phi_3289_: u32;
+    var phi_3291_: u32;
+    var phi_3292_: bool;
+    var phi_3330_: u32;
+    var phi_3331_: u32;
+    var phi_3392_: u32;
+    var phi_3394_: u32;
+    var phi_3395_: bool;
+    var phi_3439_: f32;
+    var phi_3490_: u32;
+    var phi_3492_: u32;
+    var phi_3493_: bool;
+    var phi_3531_: u32;
+    var phi_3532_: u32;
+    var phi_3593_: u32;
+    var phi_3595_: u32;
+    var phi_3596_: bool;
+    var phi_4018_: type_4;
+    var phi_4019_: type_4;
+    var phi_4042_: type_4;
+    var phi_4081_: f32;
+    var phi_4132_: u32;
+    var phi_4134_: u32;
+    var phi_4135_: bool;
+    var phi_4173_: u32;
+    var phi_4174_: u32;
+    var phi_4208_: u32;
+    var phi_4277_: f32;
+    var phi_4328_: u32;
+    var phi_4330_: u32;
+    var phi_4331_: bool;
+    var phi_4369_: u32;
+    var phi_4370_: u32;
+    var phi_4404_: u32;
+    var phi_4475_: f32;
+    var phi_4526_: u32;
+    var phi_4528_: u32;
+    var phi_4529_: bool;
+    var phi_4567_: u32;
+    var phi_4568_: u32;
+    var phi_4602_: u32;
+    var phi_4679_: f32;
+    var phi_4730_: u32;
+    var phi_4732_: u32;
+    var phi_4733_: bool;
+    var phi_4771_: u32;
+    var phi_4772_: u32;
+    var phi_4806_: u32;
+    var phi_4875_: f32;
+    var phi_4926_: u32;
+    var phi_4928_: u32;
+    var phi_4929_: bool;
+    var phi_4967_: u32;
+    var phi_4968_: u32;
+    var phi_5002_: u32;
+    var phi_5073_: f32;
+    var phi_5124_: u32;
+    var phi_5126_: u32;
+    var phi_5127_: bool;
+    var phi_5165_: u32;
+    var phi_5166_: u32;
+    var phi_5200_: u32;
+    var phi_5277_: f32;
+    var phi_5328_: u32;
+    var phi_5330_: u32;
+    var phi_5331_: bool;
+    var phi_5369_: u32;
+    var phi_5370_: u32;
+    var phi_5404_: u32;
+    var phi_5473_: f32;
+    var phi_5524_: u32;
+    var phi_5526_: u32;
+    var phi_5527_: bool;
+    var phi_5565_: u32;
+    var phi_5566_: u32;
+    var phi_5600_: u32;
+    var phi_5671_: f32;
+    var phi_5722_: u32;
+    var phi_5724_: u32;
+    var phi_5725_: bool;
+    var phi_5763_: u32;
+    var phi_5764_: u32;
+    var phi_5798_: u32;
+    var phi_7927_: bool;
+    var phi_8380_: bool;
+    var phi_5889_: type_4;
+    var phi_5890_: type_4;
+    var phi_5913_: type_4;
+    var phi_5952_: f32;
+    var phi_6003_: u32;
+    var phi_6005_: u32;
+    var phi_6006_: bool;
+    var phi_6044_: u32;
+    var phi_6045_: u32;
+    var phi_6079_: u32;
+    var phi_6148_: f32;
+    var phi_6199_: u32;
+    var phi_6201_: u32;
+    var phi_6202_: bool;
+    var phi_6240_: u32;
+    var phi_6241_: u32;
+    var phi_6275_: u32;
+    var phi_6346_: f32;
+    var phi_6397_: u32;
+    var phi_6399_: u32;
+    var phi_6400_: bool;
+    var phi_6438_: u32;
+    var phi_6439_: u32;
+    var phi_6473_: u32;
+    var phi_6550_: f32;
+    var phi_6601_: u32;
+    var phi_6603_: u32;
+    var phi_6604_: bool;
+    var phi_6642_: u32;
+    var phi_6643_: u32;
+    var phi_6677_: u32;
+    var phi_6746_: f32;
+    var phi_6797_: u32;
+    var phi_6799_: u32;
+    var phi_6800_: bool;
+    var phi_6838_: u32;
+    var phi_6839_: u32;
+    var phi_6873_: u32;
+    var phi_6944_: f32;
+    var phi_6995_: u32;
+    var phi_6997_: u32;
+    var phi_6998_: bool;
+    var phi_7036_: u32;
+    var phi_7037_: u32;
+    var phi_7071_: u32;
+    var phi_7148_: f32;
+    var phi_7199_: u32;
+    var phi_7201_: u32;
+    var phi_7202_: bool;
+    var phi_7240_: u32;
+    var phi_7241_: u32;
+    var phi_7275_: u32;
+    var phi_7344_: f32;
+    var phi_7395_: u32;
+    var phi_7397_: u32;
+    var phi_7398_: bool;
+    var phi_7436_: u32;
+    var phi_7437_: u32;
+    var phi_7471_: u32;
+    var phi_7542_: f32;
+    var phi_7593_: u32;
+    var phi_7595_: u32;
+    var phi_7596_: bool;
+    var phi_7634_: u32;
+    var phi_7635_: u32;
+    var phi_7669_: u32;
+    var phi_8376_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -438,14 +438,14 @@ fn function_() {
                             if (bitcast<i32>(_e166.member) != 0i) {
                                 let _e170 = (_e151 == _e61);
                                 if _e170 {
-                                    phi_1467_ = type_41();
-                                    phi_1468_ = u32();
+                                    phi_1551_ = type_41();
+                                    phi_1552_ = u32();
                                 } else {
                                     let _e171 = (_e151 < _e49);
                                     if _e171 {
                                         if _e171 {
                                         } else {
-                                            phi_7529_ = true;
+                                            phi_7781_ = true;
                                             break;
                                         }
                                         let _e174 = global_4.member[_e151];
@@ -670,1885 +670,1903 @@ fn function_() {
                                     }
                                     let _e563 = phi_930_;
                                     let _e565 = phi_931_;
+                                    let _e566 = select(_e563, _e545, _e565);
+                                    let _e572 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e566) * _e307)) ^ _e70)));
                                     if _e321 {
-                                        phi_945_ = (((_e221.member_1.y - _e149.member[1]) / _e320) * 1023f);
+                                        phi_973_ = (((_e221.member_1.y - _e149.member[1]) / _e320) * 1023f);
                                     } else {
-                                        phi_945_ = 0f;
+                                        phi_973_ = 0f;
                                     }
-                                    let _e571 = phi_945_;
-                                    let _e573 = select(1023f, _e571, (_e571 < 1023f));
-                                    let _e575 = select(0f, _e573, (_e573 > 0f));
-                                    let _e580 = select(select(u32(_e575), 0u, (_e575 < 0f)), 4294967295u, (_e575 > 4294967000f));
-                                    if (_e580 > 0u) {
-                                        let _e587 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e580) * _e385)) ^ _e70)));
-                                        let _e592 = (select(select(_e149.member_1[1], _e587, (_e587 < _e149.member_1[1])), _e149.member_1[1], (_e580 == 1023u)) > _e221.member_1.y);
-                                        if _e592 {
-                                            phi_996_ = (_e580 - 1u);
+                                    let _e583 = phi_973_;
+                                    let _e585 = select(1023f, _e583, (_e583 < 1023f));
+                                    let _e587 = select(0f, _e585, (_e585 > 0f));
+                                    let _e592 = select(select(u32(_e587), 0u, (_e587 < 0f)), 4294967295u, (_e587 > 4294967000f));
+                                    if (_e592 > 0u) {
+                                        let _e599 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e385)) ^ _e70)));
+                                        let _e604 = (select(select(_e149.member_1[1], _e599, (_e599 < _e149.member_1[1])), _e149.member_1[1], (_e592 == 1023u)) > _e221.member_1.y);
+                                        if _e604 {
+                                            phi_1024_ = (_e592 - 1u);
                                         } else {
-                                            phi_996_ = u32();
+                                            phi_1024_ = u32();
                                         }
-                                        let _e595 = phi_996_;
-                                        phi_998_ = _e595;
-                                        phi_999_ = select(true, false, _e592);
+                                        let _e607 = phi_1024_;
+                                        phi_1026_ = _e607;
+                                        phi_1027_ = select(true, false, _e604);
                                     } else {
-                                        phi_998_ = u32();
-                                        phi_999_ = true;
+                                        phi_1026_ = u32();
+                                        phi_1027_ = true;
                                     }
-                                    let _e598 = phi_998_;
-                                    let _e600 = phi_999_;
-                                    if _e600 {
-                                        if (_e580 < 1023u) {
-                                            let _e602 = (_e580 + 1u);
-                                            let _e608 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e602) * _e385)) ^ _e70)));
-                                            phi_1037_ = select(_e580, _e602, (select(select(_e149.member_1[1], _e608, (_e608 < _e149.member_1[1])), _e149.member_1[1], (_e602 == 1023u)) <= _e221.member_1.y));
+                                    let _e610 = phi_1026_;
+                                    let _e612 = phi_1027_;
+                                    if _e612 {
+                                        if (_e592 < 1023u) {
+                                            let _e614 = (_e592 + 1u);
+                                            let _e620 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e614) * _e385)) ^ _e70)));
+                                            phi_1065_ = select(_e592, _e614, (select(select(_e149.member_1[1], _e620, (_e620 < _e149.member_1[1])), _e149.member_1[1], (_e614 == 1023u)) <= _e221.member_1.y));
                                         } else {
-                                            phi_1037_ = _e580;
+                                            phi_1065_ = _e592;
                                         }
-                                        let _e616 = phi_1037_;
-                                        phi_1038_ = _e616;
+                                        let _e628 = phi_1065_;
+                                        phi_1066_ = _e628;
                                     } else {
-                                        phi_1038_ = _e598;
+                                        phi_1066_ = _e610;
                                     }
-                                    let _e618 = phi_1038_;
-                                    let _e624 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e618) * _e385)) ^ _e70)));
-                                    let _e630 = select(_e618, 0u, (select(select(_e149.member_1[1], _e624, (_e624 < _e149.member_1[1])), _e149.member_1[1], (_e618 == 1023u)) > _e221.member_1.y));
-                                    if (_e630 < 1023u) {
-                                        let _e637 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e630) * _e385)) ^ _e70)));
-                                        let _e642 = (select(select(_e149.member_1[1], _e637, (_e637 < _e149.member_1[1])), _e149.member_1[1], (_e630 == 1023u)) < _e221.member_1.y);
-                                        if _e642 {
-                                            phi_1099_ = (_e630 + 1u);
+                                    let _e630 = phi_1066_;
+                                    let _e636 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e630) * _e385)) ^ _e70)));
+                                    let _e642 = select(_e630, 0u, (select(select(_e149.member_1[1], _e636, (_e636 < _e149.member_1[1])), _e149.member_1[1], (_e630 == 1023u)) > _e221.member_1.y));
+                                    if (_e642 < 1023u) {
+                                        let _e649 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e642) * _e385)) ^ _e70)));
+                                        let _e654 = (select(select(_e149.member_1[1], _e649, (_e649 < _e149.member_1[1])), _e149.member_1[1], (_e642 == 1023u)) < _e221.member_1.y);
+                                        if _e654 {
+                                            phi_1127_ = (_e642 + 1u);
                                         } else {
-                                            phi_1099_ = u32();
+                                            phi_1127_ = u32();
                                         }
-                                        let _e645 = phi_1099_;
-                                        phi_1101_ = _e645;
-                                        phi_1102_ = select(true, false, _e642);
+                                        let _e657 = phi_1127_;
+                                        phi_1129_ = _e657;
+                                        phi_1130_ = select(true, false, _e654);
                                     } else {
-                                        phi_1101_ = u32();
-                                        phi_1102_ = true;
+                                        phi_1129_ = u32();
+                                        phi_1130_ = true;
                                     }
-                                    let _e648 = phi_1101_;
-                                    let _e650 = phi_1102_;
+                                    let _e660 = phi_1129_;
+                                    let _e662 = phi_1130_;
+                                    let _e663 = select(_e660, _e642, _e662);
+                                    let _e669 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e385)) ^ _e70)));
                                     if _e402 {
-                                        phi_1118_ = (((_e221.member_1.z - _e149.member[2]) / _e401) * 1023f);
+                                        phi_1174_ = (((_e221.member_1.z - _e149.member[2]) / _e401) * 1023f);
                                     } else {
-                                        phi_1118_ = 0f;
+                                        phi_1174_ = 0f;
                                     }
-                                    let _e659 = phi_1118_;
-                                    let _e661 = select(1023f, _e659, (_e659 < 1023f));
-                                    let _e663 = select(0f, _e661, (_e661 > 0f));
-                                    let _e668 = select(select(u32(_e663), 0u, (_e663 < 0f)), 4294967295u, (_e663 > 4294967000f));
-                                    if (_e668 > 0u) {
-                                        let _e675 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e668) * _e466)) ^ _e70)));
-                                        let _e680 = (select(select(_e149.member_1[2], _e675, (_e675 < _e149.member_1[2])), _e149.member_1[2], (_e668 == 1023u)) > _e221.member_1.z);
-                                        if _e680 {
-                                            phi_1169_ = (_e668 - 1u);
+                                    let _e683 = phi_1174_;
+                                    let _e685 = select(1023f, _e683, (_e683 < 1023f));
+                                    let _e687 = select(0f, _e685, (_e685 > 0f));
+                                    let _e692 = select(select(u32(_e687), 0u, (_e687 < 0f)), 4294967295u, (_e687 > 4294967000f));
+                                    if (_e692 > 0u) {
+                                        let _e699 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e692) * _e466)) ^ _e70)));
+                                        let _e704 = (select(select(_e149.member_1[2], _e699, (_e699 < _e149.member_1[2])), _e149.member_1[2], (_e692 == 1023u)) > _e221.member_1.z);
+                                        if _e704 {
+                                            phi_1225_ = (_e692 - 1u);
                                         } else {
-                                            phi_1169_ = u32();
+                                            phi_1225_ = u32();
                                         }
-                                        let _e683 = phi_1169_;
-                                        phi_1171_ = _e683;
-                                        phi_1172_ = select(true, false, _e680);
+                                        let _e707 = phi_1225_;
+                                        phi_1227_ = _e707;
+                                        phi_1228_ = select(true, false, _e704);
                                     } else {
-                                        phi_1171_ = u32();
-                                        phi_1172_ = true;
+                                        phi_1227_ = u32();
+                                        phi_1228_ = true;
                                     }
-                                    let _e686 = phi_1171_;
-                                    let _e688 = phi_1172_;
-                                    if _e688 {
-                                        if (_e668 < 1023u) {
-                                            let _e690 = (_e668 + 1u);
-                                            let _e696 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e690) * _e466)) ^ _e70)));
-                                            phi_1210_ = select(_e668, _e690, (select(select(_e149.member_1[2], _e696, (_e696 < _e149.member_1[2])), _e149.member_1[2], (_e690 == 1023u)) <= _e221.member_1.z));
+                                    let _e710 = phi_1227_;
+                                    let _e712 = phi_1228_;
+                                    if _e712 {
+                                        if (_e692 < 1023u) {
+                                            let _e714 = (_e692 + 1u);
+                                            let _e720 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e466)) ^ _e70)));
+                                            phi_1266_ = select(_e692, _e714, (select(select(_e149.member_1[2], _e720, (_e720 < _e149.member_1[2])), _e149.member_1[2], (_e714 == 1023u)) <= _e221.member_1.z));
                                         } else {
-                                            phi_1210_ = _e668;
+                                            phi_1266_ = _e692;
                                         }
-                                        let _e704 = phi_1210_;
-                                        phi_1211_ = _e704;
+                                        let _e728 = phi_1266_;
+                                        phi_1267_ = _e728;
                                     } else {
-                                        phi_1211_ = _e686;
+                                        phi_1267_ = _e710;
                                     }
-                                    let _e706 = phi_1211_;
-                                    let _e712 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e706) * _e466)) ^ _e70)));
-                                    let _e718 = select(_e706, 0u, (select(select(_e149.member_1[2], _e712, (_e712 < _e149.member_1[2])), _e149.member_1[2], (_e706 == 1023u)) > _e221.member_1.z));
-                                    if (_e718 < 1023u) {
-                                        let _e725 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e718) * _e466)) ^ _e70)));
-                                        let _e730 = (select(select(_e149.member_1[2], _e725, (_e725 < _e149.member_1[2])), _e149.member_1[2], (_e718 == 1023u)) < _e221.member_1.z);
-                                        if _e730 {
-                                            phi_1272_ = (_e718 + 1u);
+                                    let _e730 = phi_1267_;
+                                    let _e736 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e730) * _e466)) ^ _e70)));
+                                    let _e742 = select(_e730, 0u, (select(select(_e149.member_1[2], _e736, (_e736 < _e149.member_1[2])), _e149.member_1[2], (_e730 == 1023u)) > _e221.member_1.z));
+                                    if (_e742 < 1023u) {
+                                        let _e749 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e742) * _e466)) ^ _e70)));
+                                        let _e754 = (select(select(_e149.member_1[2], _e749, (_e749 < _e149.member_1[2])), _e149.member_1[2], (_e742 == 1023u)) < _e221.member_1.z);
+                                        if _e754 {
+                                            phi_1328_ = (_e742 + 1u);
                                         } else {
-                                            phi_1272_ = u32();
+                                            phi_1328_ = u32();
                                         }
-                                        let _e733 = phi_1272_;
-                                        phi_1274_ = _e733;
-                                        phi_1275_ = select(true, false, _e730);
+                                        let _e757 = phi_1328_;
+                                        phi_1330_ = _e757;
+                                        phi_1331_ = select(true, false, _e754);
                                     } else {
-                                        phi_1274_ = u32();
-                                        phi_1275_ = true;
+                                        phi_1330_ = u32();
+                                        phi_1331_ = true;
                                     }
-                                    let _e736 = phi_1274_;
-                                    let _e738 = phi_1275_;
-                                    let _e742 = ((select(_e563, _e545, _e565) | (select(_e648, _e630, _e650) << bitcast<u32>(10i))) | (select(_e736, _e718, _e738) << bitcast<u32>(20i)));
-                                    let _e743 = (_e481 & 1023u);
-                                    let _e749 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e743) * _e307)) ^ _e70)));
-                                    let _e756 = ((_e481 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e762 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e756) * _e385)) ^ _e70)));
-                                    let _e769 = ((_e481 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e775 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e769) * _e466)) ^ _e70)));
-                                    let _e781 = (_e742 & 1023u);
-                                    let _e787 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e781) * _e307)) ^ _e70)));
-                                    let _e794 = ((_e742 >> bitcast<u32>(10u)) & 1023u);
-                                    let _e800 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e794) * _e385)) ^ _e70)));
-                                    let _e807 = ((_e742 >> bitcast<u32>(20u)) & 1023u);
-                                    let _e813 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e807) * _e466)) ^ _e70)));
-                                    phi_1467_ = type_41(array<f32, 3>(select(select(_e149.member_1[0], _e749, (_e749 < _e149.member_1[0])), _e149.member_1[0], (_e743 == 1023u)), select(select(_e149.member_1[1], _e762, (_e762 < _e149.member_1[1])), _e149.member_1[1], (_e756 == 1023u)), select(select(_e149.member_1[2], _e775, (_e775 < _e149.member_1[2])), _e149.member_1[2], (_e769 == 1023u))), array<f32, 3>(select(select(_e149.member_1[0], _e787, (_e787 < _e149.member_1[0])), _e149.member_1[0], (_e781 == 1023u)), select(select(_e149.member_1[1], _e800, (_e800 < _e149.member_1[1])), _e149.member_1[1], (_e794 == 1023u)), select(select(_e149.member_1[2], _e813, (_e813 < _e149.member_1[2])), _e149.member_1[2], (_e807 == 1023u))));
-                                    phi_1468_ = select(_e176.member_2, _e176.member_1, _e183);
+                                    let _e760 = phi_1330_;
+                                    let _e762 = phi_1331_;
+                                    let _e763 = select(_e760, _e742, _e762);
+                                    let _e769 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e763) * _e466)) ^ _e70)));
+                                    let _e778 = ((select(_e566, 1023u, (select(select(_e149.member_1[0], _e572, (_e572 < _e149.member_1[0])), _e149.member_1[0], (_e566 == 1023u)) < _e221.member_1.x)) | (select(_e663, 1023u, (select(select(_e149.member_1[1], _e669, (_e669 < _e149.member_1[1])), _e149.member_1[1], (_e663 == 1023u)) < _e221.member_1.y)) << bitcast<u32>(10i))) | (select(_e763, 1023u, (select(select(_e149.member_1[2], _e769, (_e769 < _e149.member_1[2])), _e149.member_1[2], (_e763 == 1023u)) < _e221.member_1.z)) << bitcast<u32>(20i)));
+                                    let _e779 = (_e481 & 1023u);
+                                    let _e785 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e779) * _e307)) ^ _e70)));
+                                    let _e792 = ((_e481 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e798 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e792) * _e385)) ^ _e70)));
+                                    let _e805 = ((_e481 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e811 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e805) * _e466)) ^ _e70)));
+                                    let _e817 = (_e778 & 1023u);
+                                    let _e823 = (_e149.member[0] + bitcast<f32>((bitcast<u32>((f32(_e817) * _e307)) ^ _e70)));
+                                    let _e830 = ((_e778 >> bitcast<u32>(10u)) & 1023u);
+                                    let _e836 = (_e149.member[1] + bitcast<f32>((bitcast<u32>((f32(_e830) * _e385)) ^ _e70)));
+                                    let _e843 = ((_e778 >> bitcast<u32>(20u)) & 1023u);
+                                    let _e849 = (_e149.member[2] + bitcast<f32>((bitcast<u32>((f32(_e843) * _e466)) ^ _e70)));
+                                    phi_1551_ = type_41(array<f32, 3>(select(select(_e149.member_1[0], _e785, (_e785 < _e149.member_1[0])), _e149.member_1[0], (_e779 == 1023u)), select(select(_e149.member_1[1], _e798, (_e798 < _e149.member_1[1])), _e149.member_1[1], (_e792 == 1023u)), select(select(_e149.member_1[2], _e811, (_e811 < _e149.member_1[2])), _e149.member_1[2], (_e805 == 1023u))), array<f32, 3>(select(select(_e149.member_1[0], _e823, (_e823 < _e149.member_1[0])), _e149.member_1[0], (_e817 == 1023u)), select(select(_e149.member_1[1], _e836, (_e836 < _e149.member_1[1])), _e149.member_1[1], (_e830 == 1023u)), select(select(_e149.member_1[2], _e849, (_e849 < _e149.member_1[2])), _e149.member_1[2], (_e843 == 1023u))));
+                                    phi_1552_ = select(_e176.member_2, _e176.member_1, _e183);
                                 }
-                                let _e822 = phi_1467_;
-                                let _e824 = phi_1468_;
-                                phi_258_ = _e822;
-                                phi_260_ = _e824;
-                                phi_1470_ = select(true, false, _e170);
+                                let _e858 = phi_1551_;
+                                let _e860 = phi_1552_;
+                                phi_258_ = _e858;
+                                phi_260_ = _e860;
+                                phi_1554_ = select(true, false, _e170);
                             } else {
                                 phi_258_ = type_41();
                                 phi_260_ = u32();
-                                phi_1470_ = false;
+                                phi_1554_ = false;
                             }
-                            let _e827 = phi_258_;
-                            let _e829 = phi_260_;
-                            let _e831 = phi_1470_;
+                            let _e863 = phi_258_;
+                            let _e865 = phi_260_;
+                            let _e867 = phi_1554_;
                             continue;
                             continuing {
                                 phi_254_ = _e164;
-                                phi_257_ = _e827;
-                                phi_259_ = _e829;
-                                phi_7529_ = false;
-                                break if !(_e831);
+                                phi_257_ = _e863;
+                                phi_259_ = _e865;
+                                phi_7781_ = false;
+                                break if !(_e867);
                             }
                         }
-                        let _e834 = phi_7529_;
-                        if _e834 {
+                        let _e870 = phi_7781_;
+                        if _e870 {
                             break;
                         }
                         if _e66 {
                         } else {
                             break;
                         }
-                        let _e838 = global_4.member[_e61].member_1;
-                        if (_e838 == 2147483648u) {
-                            phi_1498_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e874 = global_4.member[_e61].member_1;
+                        if (_e874 == 2147483648u) {
+                            phi_1582_ = type_31(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         } else {
-                            let _e844 = global_4.member[_e61].member[0u];
-                            let _e849 = global_4.member[_e61].member[1u];
-                            let _e854 = global_4.member[_e61].member[2u];
-                            phi_1498_ = type_31(vec3<f32>(_e844[0], _e849[0], _e854[0]), vec3<f32>(_e844[2], _e849[2], _e854[2]));
+                            let _e880 = global_4.member[_e61].member[0u];
+                            let _e885 = global_4.member[_e61].member[1u];
+                            let _e890 = global_4.member[_e61].member[2u];
+                            phi_1582_ = type_31(vec3<f32>(_e880[0], _e885[0], _e890[0]), vec3<f32>(_e880[2], _e885[2], _e890[2]));
                         }
-                        let _e865 = phi_1498_;
-                        let _e869 = global_4.member[_e61].member_2;
-                        if (_e869 == 2147483648u) {
-                            phi_1520_ = _e865;
+                        let _e901 = phi_1582_;
+                        let _e905 = global_4.member[_e61].member_2;
+                        if (_e905 == 2147483648u) {
+                            phi_1604_ = _e901;
                         } else {
-                            let _e875 = global_4.member[_e61].member[0u];
-                            let _e880 = global_4.member[_e61].member[1u];
-                            let _e885 = global_4.member[_e61].member[2u];
-                            phi_1520_ = type_31(vec3<f32>(_e875[1], _e880[1], _e885[1]), vec3<f32>(_e875[3], _e880[3], _e885[3]));
+                            let _e911 = global_4.member[_e61].member[0u];
+                            let _e916 = global_4.member[_e61].member[1u];
+                            let _e921 = global_4.member[_e61].member[2u];
+                            phi_1604_ = type_31(vec3<f32>(_e911[1], _e916[1], _e921[1]), vec3<f32>(_e911[3], _e916[3], _e921[3]));
                         }
-                        let _e896 = phi_1520_;
-                        let _e922 = local;
-                        let _e925 = local_1;
-                        let _e933 = (_e925.member_1[0] - _e922.member[0]);
-                        let _e934 = (_e933 > 0f);
-                        if _e934 {
-                            phi_1551_ = (((_e865.member.x - _e922.member[0]) / _e933) * 1023f);
+                        let _e932 = phi_1604_;
+                        let _e958 = local;
+                        let _e961 = local_1;
+                        let _e969 = (_e961.member_1[0] - _e958.member[0]);
+                        let _e970 = (_e969 > 0f);
+                        if _e970 {
+                            phi_1635_ = (((_e901.member.x - _e958.member[0]) / _e969) * 1023f);
                         } else {
-                            phi_1551_ = 0f;
+                            phi_1635_ = 0f;
                         }
-                        let _e939 = phi_1551_;
-                        let _e941 = select(1023f, _e939, (_e939 < 1023f));
-                        let _e943 = select(0f, _e941, (_e941 > 0f));
-                        let _e948 = select(select(u32(_e943), 0u, (_e943 < 0f)), 4294967295u, (_e943 > 4294967000f));
-                        if (_e948 > 0u) {
-                            let _e959 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e948) * bitcast<f32>((bitcast<u32>((_e933 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e964 = (select(select(_e925.member_1[0], _e959, (_e959 < _e925.member_1[0])), _e925.member_1[0], (_e948 == 1023u)) > _e865.member.x);
-                            if _e964 {
-                                phi_1602_ = (_e948 - 1u);
+                        let _e975 = phi_1635_;
+                        let _e977 = select(1023f, _e975, (_e975 < 1023f));
+                        let _e979 = select(0f, _e977, (_e977 > 0f));
+                        let _e984 = select(select(u32(_e979), 0u, (_e979 < 0f)), 4294967295u, (_e979 > 4294967000f));
+                        if (_e984 > 0u) {
+                            let _e995 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e984) * bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                            let _e1000 = (select(select(_e961.member_1[0], _e995, (_e995 < _e961.member_1[0])), _e961.member_1[0], (_e984 == 1023u)) > _e901.member.x);
+                            if _e1000 {
+                                phi_1686_ = (_e984 - 1u);
                             } else {
-                                phi_1602_ = u32();
+                                phi_1686_ = u32();
                             }
-                            let _e967 = phi_1602_;
-                            phi_1604_ = _e967;
-                            phi_1605_ = select(true, false, _e964);
+                            let _e1003 = phi_1686_;
+                            phi_1688_ = _e1003;
+                            phi_1689_ = select(true, false, _e1000);
                         } else {
-                            phi_1604_ = u32();
-                            phi_1605_ = true;
+                            phi_1688_ = u32();
+                            phi_1689_ = true;
                         }
-                        let _e970 = phi_1604_;
-                        let _e972 = phi_1605_;
-                        if _e972 {
-                            if (_e948 < 1023u) {
-                                let _e974 = (_e948 + 1u);
-                                let _e984 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e974) * bitcast<f32>((bitcast<u32>((_e933 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1643_ = select(_e948, _e974, (select(select(_e925.member_1[0], _e984, (_e984 < _e925.member_1[0])), _e925.member_1[0], (_e974 == 1023u)) <= _e865.member.x));
+                        let _e1006 = phi_1688_;
+                        let _e1008 = phi_1689_;
+                        if _e1008 {
+                            if (_e984 < 1023u) {
+                                let _e1010 = (_e984 + 1u);
+                                let _e1020 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1010) * bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                phi_1727_ = select(_e984, _e1010, (select(select(_e961.member_1[0], _e1020, (_e1020 < _e961.member_1[0])), _e961.member_1[0], (_e1010 == 1023u)) <= _e901.member.x));
                             } else {
-                                phi_1643_ = _e948;
+                                phi_1727_ = _e984;
                             }
-                            let _e992 = phi_1643_;
-                            phi_1644_ = _e992;
+                            let _e1028 = phi_1727_;
+                            phi_1728_ = _e1028;
                         } else {
-                            phi_1644_ = _e970;
+                            phi_1728_ = _e1006;
                         }
-                        let _e994 = phi_1644_;
-                        let _e998 = bitcast<f32>((bitcast<u32>((_e933 * 0.0009775171f)) ^ _e70));
-                        let _e1004 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e994) * _e998)) ^ _e70)));
-                        let _e1011 = (_e925.member_1[1] - _e922.member[1]);
-                        let _e1012 = (_e1011 > 0f);
-                        if _e1012 {
-                            phi_1682_ = (((_e865.member.y - _e922.member[1]) / _e1011) * 1023f);
+                        let _e1030 = phi_1728_;
+                        let _e1034 = bitcast<f32>((bitcast<u32>((_e969 * 0.0009775171f)) ^ _e70));
+                        let _e1040 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1030) * _e1034)) ^ _e70)));
+                        let _e1047 = (_e961.member_1[1] - _e958.member[1]);
+                        let _e1048 = (_e1047 > 0f);
+                        if _e1048 {
+                            phi_1766_ = (((_e901.member.y - _e958.member[1]) / _e1047) * 1023f);
                         } else {
-                            phi_1682_ = 0f;
+                            phi_1766_ = 0f;
                         }
-                        let _e1017 = phi_1682_;
-                        let _e1019 = select(1023f, _e1017, (_e1017 < 1023f));
-                        let _e1021 = select(0f, _e1019, (_e1019 > 0f));
-                        let _e1026 = select(select(u32(_e1021), 0u, (_e1021 < 0f)), 4294967295u, (_e1021 > 4294967000f));
-                        if (_e1026 > 0u) {
-                            let _e1037 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1026) * bitcast<f32>((bitcast<u32>((_e1011 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e1042 = (select(select(_e925.member_1[1], _e1037, (_e1037 < _e925.member_1[1])), _e925.member_1[1], (_e1026 == 1023u)) > _e865.member.y);
-                            if _e1042 {
-                                phi_1733_ = (_e1026 - 1u);
+                        let _e1053 = phi_1766_;
+                        let _e1055 = select(1023f, _e1053, (_e1053 < 1023f));
+                        let _e1057 = select(0f, _e1055, (_e1055 > 0f));
+                        let _e1062 = select(select(u32(_e1057), 0u, (_e1057 < 0f)), 4294967295u, (_e1057 > 4294967000f));
+                        if (_e1062 > 0u) {
+                            let _e1073 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1062) * bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                            let _e1078 = (select(select(_e961.member_1[1], _e1073, (_e1073 < _e961.member_1[1])), _e961.member_1[1], (_e1062 == 1023u)) > _e901.member.y);
+                            if _e1078 {
+                                phi_1817_ = (_e1062 - 1u);
                             } else {
-                                phi_1733_ = u32();
+                                phi_1817_ = u32();
                             }
-                            let _e1045 = phi_1733_;
-                            phi_1735_ = _e1045;
-                            phi_1736_ = select(true, false, _e1042);
+                            let _e1081 = phi_1817_;
+                            phi_1819_ = _e1081;
+                            phi_1820_ = select(true, false, _e1078);
                         } else {
-                            phi_1735_ = u32();
-                            phi_1736_ = true;
+                            phi_1819_ = u32();
+                            phi_1820_ = true;
                         }
-                        let _e1048 = phi_1735_;
-                        let _e1050 = phi_1736_;
-                        if _e1050 {
-                            if (_e1026 < 1023u) {
-                                let _e1052 = (_e1026 + 1u);
-                                let _e1062 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1052) * bitcast<f32>((bitcast<u32>((_e1011 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1774_ = select(_e1026, _e1052, (select(select(_e925.member_1[1], _e1062, (_e1062 < _e925.member_1[1])), _e925.member_1[1], (_e1052 == 1023u)) <= _e865.member.y));
+                        let _e1084 = phi_1819_;
+                        let _e1086 = phi_1820_;
+                        if _e1086 {
+                            if (_e1062 < 1023u) {
+                                let _e1088 = (_e1062 + 1u);
+                                let _e1098 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1088) * bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                phi_1858_ = select(_e1062, _e1088, (select(select(_e961.member_1[1], _e1098, (_e1098 < _e961.member_1[1])), _e961.member_1[1], (_e1088 == 1023u)) <= _e901.member.y));
                             } else {
-                                phi_1774_ = _e1026;
+                                phi_1858_ = _e1062;
                             }
-                            let _e1070 = phi_1774_;
-                            phi_1775_ = _e1070;
+                            let _e1106 = phi_1858_;
+                            phi_1859_ = _e1106;
                         } else {
-                            phi_1775_ = _e1048;
+                            phi_1859_ = _e1084;
                         }
-                        let _e1072 = phi_1775_;
-                        let _e1076 = bitcast<f32>((bitcast<u32>((_e1011 * 0.0009775171f)) ^ _e70));
-                        let _e1082 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1072) * _e1076)) ^ _e70)));
-                        let _e1092 = (_e925.member_1[2] - _e922.member[2]);
-                        let _e1093 = (_e1092 > 0f);
-                        if _e1093 {
-                            phi_1815_ = (((_e865.member.z - _e922.member[2]) / _e1092) * 1023f);
+                        let _e1108 = phi_1859_;
+                        let _e1112 = bitcast<f32>((bitcast<u32>((_e1047 * 0.0009775171f)) ^ _e70));
+                        let _e1118 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1108) * _e1112)) ^ _e70)));
+                        let _e1128 = (_e961.member_1[2] - _e958.member[2]);
+                        let _e1129 = (_e1128 > 0f);
+                        if _e1129 {
+                            phi_1899_ = (((_e901.member.z - _e958.member[2]) / _e1128) * 1023f);
                         } else {
-                            phi_1815_ = 0f;
+                            phi_1899_ = 0f;
                         }
-                        let _e1098 = phi_1815_;
-                        let _e1100 = select(1023f, _e1098, (_e1098 < 1023f));
-                        let _e1102 = select(0f, _e1100, (_e1100 > 0f));
-                        let _e1107 = select(select(u32(_e1102), 0u, (_e1102 < 0f)), 4294967295u, (_e1102 > 4294967000f));
-                        if (_e1107 > 0u) {
-                            let _e1118 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1107) * bitcast<f32>((bitcast<u32>((_e1092 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                            let _e1123 = (select(select(_e925.member_1[2], _e1118, (_e1118 < _e925.member_1[2])), _e925.member_1[2], (_e1107 == 1023u)) > _e865.member.z);
-                            if _e1123 {
-                                phi_1866_ = (_e1107 - 1u);
+                        let _e1134 = phi_1899_;
+                        let _e1136 = select(1023f, _e1134, (_e1134 < 1023f));
+                        let _e1138 = select(0f, _e1136, (_e1136 > 0f));
+                        let _e1143 = select(select(u32(_e1138), 0u, (_e1138 < 0f)), 4294967295u, (_e1138 > 4294967000f));
+                        if (_e1143 > 0u) {
+                            let _e1154 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1143) * bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                            let _e1159 = (select(select(_e961.member_1[2], _e1154, (_e1154 < _e961.member_1[2])), _e961.member_1[2], (_e1143 == 1023u)) > _e901.member.z);
+                            if _e1159 {
+                                phi_1950_ = (_e1143 - 1u);
                             } else {
-                                phi_1866_ = u32();
+                                phi_1950_ = u32();
                             }
-                            let _e1126 = phi_1866_;
-                            phi_1868_ = _e1126;
-                            phi_1869_ = select(true, false, _e1123);
+                            let _e1162 = phi_1950_;
+                            phi_1952_ = _e1162;
+                            phi_1953_ = select(true, false, _e1159);
                         } else {
-                            phi_1868_ = u32();
-                            phi_1869_ = true;
+                            phi_1952_ = u32();
+                            phi_1953_ = true;
                         }
-                        let _e1129 = phi_1868_;
-                        let _e1131 = phi_1869_;
-                        if _e1131 {
-                            if (_e1107 < 1023u) {
-                                let _e1133 = (_e1107 + 1u);
-                                let _e1143 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1133) * bitcast<f32>((bitcast<u32>((_e1092 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                phi_1907_ = select(_e1107, _e1133, (select(select(_e925.member_1[2], _e1143, (_e1143 < _e925.member_1[2])), _e925.member_1[2], (_e1133 == 1023u)) <= _e865.member.z));
+                        let _e1165 = phi_1952_;
+                        let _e1167 = phi_1953_;
+                        if _e1167 {
+                            if (_e1143 < 1023u) {
+                                let _e1169 = (_e1143 + 1u);
+                                let _e1179 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1169) * bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                phi_1991_ = select(_e1143, _e1169, (select(select(_e961.member_1[2], _e1179, (_e1179 < _e961.member_1[2])), _e961.member_1[2], (_e1169 == 1023u)) <= _e901.member.z));
                             } else {
-                                phi_1907_ = _e1107;
+                                phi_1991_ = _e1143;
                             }
-                            let _e1151 = phi_1907_;
-                            phi_1908_ = _e1151;
+                            let _e1187 = phi_1991_;
+                            phi_1992_ = _e1187;
                         } else {
-                            phi_1908_ = _e1129;
+                            phi_1992_ = _e1165;
                         }
-                        let _e1153 = phi_1908_;
-                        let _e1157 = bitcast<f32>((bitcast<u32>((_e1092 * 0.0009775171f)) ^ _e70));
-                        let _e1163 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1153) * _e1157)) ^ _e70)));
-                        let _e1172 = ((select(_e994, 0u, (select(select(_e925.member_1[0], _e1004, (_e1004 < _e925.member_1[0])), _e925.member_1[0], (_e994 == 1023u)) > _e865.member.x)) | (select(_e1072, 0u, (select(select(_e925.member_1[1], _e1082, (_e1082 < _e925.member_1[1])), _e925.member_1[1], (_e1072 == 1023u)) > _e865.member.y)) << bitcast<u32>(10i))) | (select(_e1153, 0u, (select(select(_e925.member_1[2], _e1163, (_e1163 < _e925.member_1[2])), _e925.member_1[2], (_e1153 == 1023u)) > _e865.member.z)) << bitcast<u32>(20i)));
-                        if _e934 {
-                            phi_1948_ = (((_e865.member_1.x - _e922.member[0]) / _e933) * 1023f);
+                        let _e1189 = phi_1992_;
+                        let _e1193 = bitcast<f32>((bitcast<u32>((_e1128 * 0.0009775171f)) ^ _e70));
+                        let _e1199 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1189) * _e1193)) ^ _e70)));
+                        let _e1208 = ((select(_e1030, 0u, (select(select(_e961.member_1[0], _e1040, (_e1040 < _e961.member_1[0])), _e961.member_1[0], (_e1030 == 1023u)) > _e901.member.x)) | (select(_e1108, 0u, (select(select(_e961.member_1[1], _e1118, (_e1118 < _e961.member_1[1])), _e961.member_1[1], (_e1108 == 1023u)) > _e901.member.y)) << bitcast<u32>(10i))) | (select(_e1189, 0u, (select(select(_e961.member_1[2], _e1199, (_e1199 < _e961.member_1[2])), _e961.member_1[2], (_e1189 == 1023u)) > _e901.member.z)) << bitcast<u32>(20i)));
+                        if _e970 {
+                            phi_2032_ = (((_e901.member_1.x - _e958.member[0]) / _e969) * 1023f);
                         } else {
-                            phi_1948_ = 0f;
+                            phi_2032_ = 0f;
                         }
-                        let _e1177 = phi_1948_;
-                        let _e1179 = select(1023f, _e1177, (_e1177 < 1023f));
-                        let _e1181 = select(0f, _e1179, (_e1179 > 0f));
-                        let _e1186 = select(select(u32(_e1181), 0u, (_e1181 < 0f)), 4294967295u, (_e1181 > 4294967000f));
-                        if (_e1186 > 0u) {
-                            let _e1193 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1186) * _e998)) ^ _e70)));
-                            let _e1198 = (select(select(_e925.member_1[0], _e1193, (_e1193 < _e925.member_1[0])), _e925.member_1[0], (_e1186 == 1023u)) > _e865.member_1.x);
-                            if _e1198 {
-                                phi_1999_ = (_e1186 - 1u);
+                        let _e1213 = phi_2032_;
+                        let _e1215 = select(1023f, _e1213, (_e1213 < 1023f));
+                        let _e1217 = select(0f, _e1215, (_e1215 > 0f));
+                        let _e1222 = select(select(u32(_e1217), 0u, (_e1217 < 0f)), 4294967295u, (_e1217 > 4294967000f));
+                        if (_e1222 > 0u) {
+                            let _e1229 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1222) * _e1034)) ^ _e70)));
+                            let _e1234 = (select(select(_e961.member_1[0], _e1229, (_e1229 < _e961.member_1[0])), _e961.member_1[0], (_e1222 == 1023u)) > _e901.member_1.x);
+                            if _e1234 {
+                                phi_2083_ = (_e1222 - 1u);
                             } else {
-                                phi_1999_ = u32();
+                                phi_2083_ = u32();
                             }
-                            let _e1201 = phi_1999_;
-                            phi_2001_ = _e1201;
-                            phi_2002_ = select(true, false, _e1198);
+                            let _e1237 = phi_2083_;
+                            phi_2085_ = _e1237;
+                            phi_2086_ = select(true, false, _e1234);
                         } else {
-                            phi_2001_ = u32();
-                            phi_2002_ = true;
+                            phi_2085_ = u32();
+                            phi_2086_ = true;
                         }
-                        let _e1204 = phi_2001_;
-                        let _e1206 = phi_2002_;
-                        if _e1206 {
-                            if (_e1186 < 1023u) {
-                                let _e1208 = (_e1186 + 1u);
-                                let _e1214 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1208) * _e998)) ^ _e70)));
-                                phi_2040_ = select(_e1186, _e1208, (select(select(_e925.member_1[0], _e1214, (_e1214 < _e925.member_1[0])), _e925.member_1[0], (_e1208 == 1023u)) <= _e865.member_1.x));
+                        let _e1240 = phi_2085_;
+                        let _e1242 = phi_2086_;
+                        if _e1242 {
+                            if (_e1222 < 1023u) {
+                                let _e1244 = (_e1222 + 1u);
+                                let _e1250 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1244) * _e1034)) ^ _e70)));
+                                phi_2124_ = select(_e1222, _e1244, (select(select(_e961.member_1[0], _e1250, (_e1250 < _e961.member_1[0])), _e961.member_1[0], (_e1244 == 1023u)) <= _e901.member_1.x));
                             } else {
-                                phi_2040_ = _e1186;
+                                phi_2124_ = _e1222;
                             }
-                            let _e1222 = phi_2040_;
-                            phi_2041_ = _e1222;
+                            let _e1258 = phi_2124_;
+                            phi_2125_ = _e1258;
                         } else {
-                            phi_2041_ = _e1204;
+                            phi_2125_ = _e1240;
                         }
-                        let _e1224 = phi_2041_;
-                        let _e1230 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1224) * _e998)) ^ _e70)));
-                        let _e1236 = select(_e1224, 0u, (select(select(_e925.member_1[0], _e1230, (_e1230 < _e925.member_1[0])), _e925.member_1[0], (_e1224 == 1023u)) > _e865.member_1.x));
-                        if (_e1236 < 1023u) {
-                            let _e1243 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1236) * _e998)) ^ _e70)));
-                            let _e1248 = (select(select(_e925.member_1[0], _e1243, (_e1243 < _e925.member_1[0])), _e925.member_1[0], (_e1236 == 1023u)) < _e865.member_1.x);
-                            if _e1248 {
-                                phi_2102_ = (_e1236 + 1u);
+                        let _e1260 = phi_2125_;
+                        let _e1266 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1260) * _e1034)) ^ _e70)));
+                        let _e1272 = select(_e1260, 0u, (select(select(_e961.member_1[0], _e1266, (_e1266 < _e961.member_1[0])), _e961.member_1[0], (_e1260 == 1023u)) > _e901.member_1.x));
+                        if (_e1272 < 1023u) {
+                            let _e1279 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1272) * _e1034)) ^ _e70)));
+                            let _e1284 = (select(select(_e961.member_1[0], _e1279, (_e1279 < _e961.member_1[0])), _e961.member_1[0], (_e1272 == 1023u)) < _e901.member_1.x);
+                            if _e1284 {
+                                phi_2186_ = (_e1272 + 1u);
                             } else {
-                                phi_2102_ = u32();
+                                phi_2186_ = u32();
                             }
-                            let _e1251 = phi_2102_;
-                            phi_2104_ = _e1251;
-                            phi_2105_ = select(true, false, _e1248);
+                            let _e1287 = phi_2186_;
+                            phi_2188_ = _e1287;
+                            phi_2189_ = select(true, false, _e1284);
                         } else {
-                            phi_2104_ = u32();
-                            phi_2105_ = true;
+                            phi_2188_ = u32();
+                            phi_2189_ = true;
                         }
-                        let _e1254 = phi_2104_;
-                        let _e1256 = phi_2105_;
-                        if _e1012 {
-                            phi_2119_ = (((_e865.member_1.y - _e922.member[1]) / _e1011) * 1023f);
+                        let _e1290 = phi_2188_;
+                        let _e1292 = phi_2189_;
+                        let _e1293 = select(_e1290, _e1272, _e1292);
+                        let _e1299 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1293) * _e1034)) ^ _e70)));
+                        if _e1048 {
+                            phi_2231_ = (((_e901.member_1.y - _e958.member[1]) / _e1047) * 1023f);
                         } else {
-                            phi_2119_ = 0f;
+                            phi_2231_ = 0f;
                         }
-                        let _e1262 = phi_2119_;
-                        let _e1264 = select(1023f, _e1262, (_e1262 < 1023f));
-                        let _e1266 = select(0f, _e1264, (_e1264 > 0f));
-                        let _e1271 = select(select(u32(_e1266), 0u, (_e1266 < 0f)), 4294967295u, (_e1266 > 4294967000f));
-                        if (_e1271 > 0u) {
-                            let _e1278 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1271) * _e1076)) ^ _e70)));
-                            let _e1283 = (select(select(_e925.member_1[1], _e1278, (_e1278 < _e925.member_1[1])), _e925.member_1[1], (_e1271 == 1023u)) > _e865.member_1.y);
-                            if _e1283 {
-                                phi_2170_ = (_e1271 - 1u);
+                        let _e1310 = phi_2231_;
+                        let _e1312 = select(1023f, _e1310, (_e1310 < 1023f));
+                        let _e1314 = select(0f, _e1312, (_e1312 > 0f));
+                        let _e1319 = select(select(u32(_e1314), 0u, (_e1314 < 0f)), 4294967295u, (_e1314 > 4294967000f));
+                        if (_e1319 > 0u) {
+                            let _e1326 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1319) * _e1112)) ^ _e70)));
+                            let _e1331 = (select(select(_e961.member_1[1], _e1326, (_e1326 < _e961.member_1[1])), _e961.member_1[1], (_e1319 == 1023u)) > _e901.member_1.y);
+                            if _e1331 {
+                                phi_2282_ = (_e1319 - 1u);
                             } else {
-                                phi_2170_ = u32();
+                                phi_2282_ = u32();
                             }
-                            let _e1286 = phi_2170_;
-                            phi_2172_ = _e1286;
-                            phi_2173_ = select(true, false, _e1283);
+                            let _e1334 = phi_2282_;
+                            phi_2284_ = _e1334;
+                            phi_2285_ = select(true, false, _e1331);
                         } else {
-                            phi_2172_ = u32();
-                            phi_2173_ = true;
+                            phi_2284_ = u32();
+                            phi_2285_ = true;
                         }
-                        let _e1289 = phi_2172_;
-                        let _e1291 = phi_2173_;
-                        if _e1291 {
-                            if (_e1271 < 1023u) {
-                                let _e1293 = (_e1271 + 1u);
-                                let _e1299 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1293) * _e1076)) ^ _e70)));
-                                phi_2211_ = select(_e1271, _e1293, (select(select(_e925.member_1[1], _e1299, (_e1299 < _e925.member_1[1])), _e925.member_1[1], (_e1293 == 1023u)) <= _e865.member_1.y));
+                        let _e1337 = phi_2284_;
+                        let _e1339 = phi_2285_;
+                        if _e1339 {
+                            if (_e1319 < 1023u) {
+                                let _e1341 = (_e1319 + 1u);
+                                let _e1347 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1341) * _e1112)) ^ _e70)));
+                                phi_2323_ = select(_e1319, _e1341, (select(select(_e961.member_1[1], _e1347, (_e1347 < _e961.member_1[1])), _e961.member_1[1], (_e1341 == 1023u)) <= _e901.member_1.y));
                             } else {
-                                phi_2211_ = _e1271;
+                                phi_2323_ = _e1319;
                             }
-                            let _e1307 = phi_2211_;
-                            phi_2212_ = _e1307;
+                            let _e1355 = phi_2323_;
+                            phi_2324_ = _e1355;
                         } else {
-                            phi_2212_ = _e1289;
+                            phi_2324_ = _e1337;
                         }
-                        let _e1309 = phi_2212_;
-                        let _e1315 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1309) * _e1076)) ^ _e70)));
-                        let _e1321 = select(_e1309, 0u, (select(select(_e925.member_1[1], _e1315, (_e1315 < _e925.member_1[1])), _e925.member_1[1], (_e1309 == 1023u)) > _e865.member_1.y));
-                        if (_e1321 < 1023u) {
-                            let _e1328 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1321) * _e1076)) ^ _e70)));
-                            let _e1333 = (select(select(_e925.member_1[1], _e1328, (_e1328 < _e925.member_1[1])), _e925.member_1[1], (_e1321 == 1023u)) < _e865.member_1.y);
-                            if _e1333 {
-                                phi_2273_ = (_e1321 + 1u);
+                        let _e1357 = phi_2324_;
+                        let _e1363 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1357) * _e1112)) ^ _e70)));
+                        let _e1369 = select(_e1357, 0u, (select(select(_e961.member_1[1], _e1363, (_e1363 < _e961.member_1[1])), _e961.member_1[1], (_e1357 == 1023u)) > _e901.member_1.y));
+                        if (_e1369 < 1023u) {
+                            let _e1376 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1369) * _e1112)) ^ _e70)));
+                            let _e1381 = (select(select(_e961.member_1[1], _e1376, (_e1376 < _e961.member_1[1])), _e961.member_1[1], (_e1369 == 1023u)) < _e901.member_1.y);
+                            if _e1381 {
+                                phi_2385_ = (_e1369 + 1u);
                             } else {
-                                phi_2273_ = u32();
+                                phi_2385_ = u32();
                             }
-                            let _e1336 = phi_2273_;
-                            phi_2275_ = _e1336;
-                            phi_2276_ = select(true, false, _e1333);
+                            let _e1384 = phi_2385_;
+                            phi_2387_ = _e1384;
+                            phi_2388_ = select(true, false, _e1381);
                         } else {
-                            phi_2275_ = u32();
-                            phi_2276_ = true;
+                            phi_2387_ = u32();
+                            phi_2388_ = true;
                         }
-                        let _e1339 = phi_2275_;
-                        let _e1341 = phi_2276_;
-                        if _e1093 {
-                            phi_2292_ = (((_e865.member_1.z - _e922.member[2]) / _e1092) * 1023f);
+                        let _e1387 = phi_2387_;
+                        let _e1389 = phi_2388_;
+                        let _e1390 = select(_e1387, _e1369, _e1389);
+                        let _e1396 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1390) * _e1112)) ^ _e70)));
+                        if _e1129 {
+                            phi_2432_ = (((_e901.member_1.z - _e958.member[2]) / _e1128) * 1023f);
                         } else {
-                            phi_2292_ = 0f;
+                            phi_2432_ = 0f;
                         }
-                        let _e1350 = phi_2292_;
-                        let _e1352 = select(1023f, _e1350, (_e1350 < 1023f));
-                        let _e1354 = select(0f, _e1352, (_e1352 > 0f));
-                        let _e1359 = select(select(u32(_e1354), 0u, (_e1354 < 0f)), 4294967295u, (_e1354 > 4294967000f));
-                        if (_e1359 > 0u) {
-                            let _e1366 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1359) * _e1157)) ^ _e70)));
-                            let _e1371 = (select(select(_e925.member_1[2], _e1366, (_e1366 < _e925.member_1[2])), _e925.member_1[2], (_e1359 == 1023u)) > _e865.member_1.z);
-                            if _e1371 {
-                                phi_2343_ = (_e1359 - 1u);
+                        let _e1410 = phi_2432_;
+                        let _e1412 = select(1023f, _e1410, (_e1410 < 1023f));
+                        let _e1414 = select(0f, _e1412, (_e1412 > 0f));
+                        let _e1419 = select(select(u32(_e1414), 0u, (_e1414 < 0f)), 4294967295u, (_e1414 > 4294967000f));
+                        if (_e1419 > 0u) {
+                            let _e1426 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1419) * _e1193)) ^ _e70)));
+                            let _e1431 = (select(select(_e961.member_1[2], _e1426, (_e1426 < _e961.member_1[2])), _e961.member_1[2], (_e1419 == 1023u)) > _e901.member_1.z);
+                            if _e1431 {
+                                phi_2483_ = (_e1419 - 1u);
                             } else {
-                                phi_2343_ = u32();
+                                phi_2483_ = u32();
                             }
-                            let _e1374 = phi_2343_;
-                            phi_2345_ = _e1374;
-                            phi_2346_ = select(true, false, _e1371);
+                            let _e1434 = phi_2483_;
+                            phi_2485_ = _e1434;
+                            phi_2486_ = select(true, false, _e1431);
                         } else {
-                            phi_2345_ = u32();
-                            phi_2346_ = true;
+                            phi_2485_ = u32();
+                            phi_2486_ = true;
                         }
-                        let _e1377 = phi_2345_;
-                        let _e1379 = phi_2346_;
-                        if _e1379 {
-                            if (_e1359 < 1023u) {
-                                let _e1381 = (_e1359 + 1u);
-                                let _e1387 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1381) * _e1157)) ^ _e70)));
-                                phi_2384_ = select(_e1359, _e1381, (select(select(_e925.member_1[2], _e1387, (_e1387 < _e925.member_1[2])), _e925.member_1[2], (_e1381 == 1023u)) <= _e865.member_1.z));
+                        let _e1437 = phi_2485_;
+                        let _e1439 = phi_2486_;
+                        if _e1439 {
+                            if (_e1419 < 1023u) {
+                                let _e1441 = (_e1419 + 1u);
+                                let _e1447 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1441) * _e1193)) ^ _e70)));
+                                phi_2524_ = select(_e1419, _e1441, (select(select(_e961.member_1[2], _e1447, (_e1447 < _e961.member_1[2])), _e961.member_1[2], (_e1441 == 1023u)) <= _e901.member_1.z));
                             } else {
-                                phi_2384_ = _e1359;
+                                phi_2524_ = _e1419;
                             }
-                            let _e1395 = phi_2384_;
-                            phi_2385_ = _e1395;
+                            let _e1455 = phi_2524_;
+                            phi_2525_ = _e1455;
                         } else {
-                            phi_2385_ = _e1377;
+                            phi_2525_ = _e1437;
                         }
-                        let _e1397 = phi_2385_;
-                        let _e1403 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1397) * _e1157)) ^ _e70)));
-                        let _e1409 = select(_e1397, 0u, (select(select(_e925.member_1[2], _e1403, (_e1403 < _e925.member_1[2])), _e925.member_1[2], (_e1397 == 1023u)) > _e865.member_1.z));
-                        if (_e1409 < 1023u) {
-                            let _e1416 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1409) * _e1157)) ^ _e70)));
-                            let _e1421 = (select(select(_e925.member_1[2], _e1416, (_e1416 < _e925.member_1[2])), _e925.member_1[2], (_e1409 == 1023u)) < _e865.member_1.z);
-                            if _e1421 {
-                                phi_2446_ = (_e1409 + 1u);
+                        let _e1457 = phi_2525_;
+                        let _e1463 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1457) * _e1193)) ^ _e70)));
+                        let _e1469 = select(_e1457, 0u, (select(select(_e961.member_1[2], _e1463, (_e1463 < _e961.member_1[2])), _e961.member_1[2], (_e1457 == 1023u)) > _e901.member_1.z));
+                        if (_e1469 < 1023u) {
+                            let _e1476 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1469) * _e1193)) ^ _e70)));
+                            let _e1481 = (select(select(_e961.member_1[2], _e1476, (_e1476 < _e961.member_1[2])), _e961.member_1[2], (_e1469 == 1023u)) < _e901.member_1.z);
+                            if _e1481 {
+                                phi_2586_ = (_e1469 + 1u);
                             } else {
-                                phi_2446_ = u32();
+                                phi_2586_ = u32();
                             }
-                            let _e1424 = phi_2446_;
-                            phi_2448_ = _e1424;
-                            phi_2449_ = select(true, false, _e1421);
+                            let _e1484 = phi_2586_;
+                            phi_2588_ = _e1484;
+                            phi_2589_ = select(true, false, _e1481);
                         } else {
-                            phi_2448_ = u32();
-                            phi_2449_ = true;
+                            phi_2588_ = u32();
+                            phi_2589_ = true;
                         }
-                        let _e1427 = phi_2448_;
-                        let _e1429 = phi_2449_;
-                        let _e1433 = ((select(_e1254, _e1236, _e1256) | (select(_e1339, _e1321, _e1341) << bitcast<u32>(10i))) | (select(_e1427, _e1409, _e1429) << bitcast<u32>(20i)));
-                        if _e934 {
-                            phi_2474_ = (((_e896.member.x - _e922.member[0]) / _e933) * 1023f);
+                        let _e1487 = phi_2588_;
+                        let _e1489 = phi_2589_;
+                        let _e1490 = select(_e1487, _e1469, _e1489);
+                        let _e1496 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1490) * _e1193)) ^ _e70)));
+                        let _e1505 = ((select(_e1293, 1023u, (select(select(_e961.member_1[0], _e1299, (_e1299 < _e961.member_1[0])), _e961.member_1[0], (_e1293 == 1023u)) < _e901.member_1.x)) | (select(_e1390, 1023u, (select(select(_e961.member_1[1], _e1396, (_e1396 < _e961.member_1[1])), _e961.member_1[1], (_e1390 == 1023u)) < _e901.member_1.y)) << bitcast<u32>(10i))) | (select(_e1490, 1023u, (select(select(_e961.member_1[2], _e1496, (_e1496 < _e961.member_1[2])), _e961.member_1[2], (_e1490 == 1023u)) < _e901.member_1.z)) << bitcast<u32>(20i)));
+                        if _e970 {
+                            phi_2642_ = (((_e932.member.x - _e958.member[0]) / _e969) * 1023f);
                         } else {
-                            phi_2474_ = 0f;
+                            phi_2642_ = 0f;
                         }
-                        let _e1439 = phi_2474_;
-                        let _e1441 = select(1023f, _e1439, (_e1439 < 1023f));
-                        let _e1443 = select(0f, _e1441, (_e1441 > 0f));
-                        let _e1448 = select(select(u32(_e1443), 0u, (_e1443 < 0f)), 4294967295u, (_e1443 > 4294967000f));
-                        if (_e1448 > 0u) {
-                            let _e1455 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1448) * _e998)) ^ _e70)));
-                            let _e1460 = (select(select(_e925.member_1[0], _e1455, (_e1455 < _e925.member_1[0])), _e925.member_1[0], (_e1448 == 1023u)) > _e896.member.x);
-                            if _e1460 {
-                                phi_2525_ = (_e1448 - 1u);
+                        let _e1511 = phi_2642_;
+                        let _e1513 = select(1023f, _e1511, (_e1511 < 1023f));
+                        let _e1515 = select(0f, _e1513, (_e1513 > 0f));
+                        let _e1520 = select(select(u32(_e1515), 0u, (_e1515 < 0f)), 4294967295u, (_e1515 > 4294967000f));
+                        if (_e1520 > 0u) {
+                            let _e1527 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1520) * _e1034)) ^ _e70)));
+                            let _e1532 = (select(select(_e961.member_1[0], _e1527, (_e1527 < _e961.member_1[0])), _e961.member_1[0], (_e1520 == 1023u)) > _e932.member.x);
+                            if _e1532 {
+                                phi_2693_ = (_e1520 - 1u);
                             } else {
-                                phi_2525_ = u32();
+                                phi_2693_ = u32();
                             }
-                            let _e1463 = phi_2525_;
-                            phi_2527_ = _e1463;
-                            phi_2528_ = select(true, false, _e1460);
+                            let _e1535 = phi_2693_;
+                            phi_2695_ = _e1535;
+                            phi_2696_ = select(true, false, _e1532);
                         } else {
-                            phi_2527_ = u32();
-                            phi_2528_ = true;
+                            phi_2695_ = u32();
+                            phi_2696_ = true;
                         }
-                        let _e1466 = phi_2527_;
-                        let _e1468 = phi_2528_;
-                        if _e1468 {
-                            if (_e1448 < 1023u) {
-                                let _e1470 = (_e1448 + 1u);
-                                let _e1476 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1470) * _e998)) ^ _e70)));
-                                phi_2566_ = select(_e1448, _e1470, (select(select(_e925.member_1[0], _e1476, (_e1476 < _e925.member_1[0])), _e925.member_1[0], (_e1470 == 1023u)) <= _e896.member.x));
+                        let _e1538 = phi_2695_;
+                        let _e1540 = phi_2696_;
+                        if _e1540 {
+                            if (_e1520 < 1023u) {
+                                let _e1542 = (_e1520 + 1u);
+                                let _e1548 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1542) * _e1034)) ^ _e70)));
+                                phi_2734_ = select(_e1520, _e1542, (select(select(_e961.member_1[0], _e1548, (_e1548 < _e961.member_1[0])), _e961.member_1[0], (_e1542 == 1023u)) <= _e932.member.x));
                             } else {
-                                phi_2566_ = _e1448;
+                                phi_2734_ = _e1520;
                             }
-                            let _e1484 = phi_2566_;
-                            phi_2567_ = _e1484;
+                            let _e1556 = phi_2734_;
+                            phi_2735_ = _e1556;
                         } else {
-                            phi_2567_ = _e1466;
+                            phi_2735_ = _e1538;
                         }
-                        let _e1486 = phi_2567_;
-                        let _e1492 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1486) * _e998)) ^ _e70)));
-                        if _e1012 {
-                            phi_2605_ = (((_e896.member.y - _e922.member[1]) / _e1011) * 1023f);
+                        let _e1558 = phi_2735_;
+                        let _e1564 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1558) * _e1034)) ^ _e70)));
+                        if _e1048 {
+                            phi_2773_ = (((_e932.member.y - _e958.member[1]) / _e1047) * 1023f);
                         } else {
-                            phi_2605_ = 0f;
+                            phi_2773_ = 0f;
                         }
-                        let _e1503 = phi_2605_;
-                        let _e1505 = select(1023f, _e1503, (_e1503 < 1023f));
-                        let _e1507 = select(0f, _e1505, (_e1505 > 0f));
-                        let _e1512 = select(select(u32(_e1507), 0u, (_e1507 < 0f)), 4294967295u, (_e1507 > 4294967000f));
-                        if (_e1512 > 0u) {
-                            let _e1519 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1512) * _e1076)) ^ _e70)));
-                            let _e1524 = (select(select(_e925.member_1[1], _e1519, (_e1519 < _e925.member_1[1])), _e925.member_1[1], (_e1512 == 1023u)) > _e896.member.y);
-                            if _e1524 {
-                                phi_2656_ = (_e1512 - 1u);
+                        let _e1575 = phi_2773_;
+                        let _e1577 = select(1023f, _e1575, (_e1575 < 1023f));
+                        let _e1579 = select(0f, _e1577, (_e1577 > 0f));
+                        let _e1584 = select(select(u32(_e1579), 0u, (_e1579 < 0f)), 4294967295u, (_e1579 > 4294967000f));
+                        if (_e1584 > 0u) {
+                            let _e1591 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1584) * _e1112)) ^ _e70)));
+                            let _e1596 = (select(select(_e961.member_1[1], _e1591, (_e1591 < _e961.member_1[1])), _e961.member_1[1], (_e1584 == 1023u)) > _e932.member.y);
+                            if _e1596 {
+                                phi_2824_ = (_e1584 - 1u);
                             } else {
-                                phi_2656_ = u32();
+                                phi_2824_ = u32();
                             }
-                            let _e1527 = phi_2656_;
-                            phi_2658_ = _e1527;
-                            phi_2659_ = select(true, false, _e1524);
+                            let _e1599 = phi_2824_;
+                            phi_2826_ = _e1599;
+                            phi_2827_ = select(true, false, _e1596);
                         } else {
-                            phi_2658_ = u32();
-                            phi_2659_ = true;
+                            phi_2826_ = u32();
+                            phi_2827_ = true;
                         }
-                        let _e1530 = phi_2658_;
-                        let _e1532 = phi_2659_;
-                        if _e1532 {
-                            if (_e1512 < 1023u) {
-                                let _e1534 = (_e1512 + 1u);
-                                let _e1540 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1534) * _e1076)) ^ _e70)));
-                                phi_2697_ = select(_e1512, _e1534, (select(select(_e925.member_1[1], _e1540, (_e1540 < _e925.member_1[1])), _e925.member_1[1], (_e1534 == 1023u)) <= _e896.member.y));
+                        let _e1602 = phi_2826_;
+                        let _e1604 = phi_2827_;
+                        if _e1604 {
+                            if (_e1584 < 1023u) {
+                                let _e1606 = (_e1584 + 1u);
+                                let _e1612 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1606) * _e1112)) ^ _e70)));
+                                phi_2865_ = select(_e1584, _e1606, (select(select(_e961.member_1[1], _e1612, (_e1612 < _e961.member_1[1])), _e961.member_1[1], (_e1606 == 1023u)) <= _e932.member.y));
                             } else {
-                                phi_2697_ = _e1512;
+                                phi_2865_ = _e1584;
                             }
-                            let _e1548 = phi_2697_;
-                            phi_2698_ = _e1548;
+                            let _e1620 = phi_2865_;
+                            phi_2866_ = _e1620;
                         } else {
-                            phi_2698_ = _e1530;
+                            phi_2866_ = _e1602;
                         }
-                        let _e1550 = phi_2698_;
-                        let _e1556 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1550) * _e1076)) ^ _e70)));
-                        if _e1093 {
-                            phi_2738_ = (((_e896.member.z - _e922.member[2]) / _e1092) * 1023f);
+                        let _e1622 = phi_2866_;
+                        let _e1628 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1622) * _e1112)) ^ _e70)));
+                        if _e1129 {
+                            phi_2906_ = (((_e932.member.z - _e958.member[2]) / _e1128) * 1023f);
                         } else {
-                            phi_2738_ = 0f;
+                            phi_2906_ = 0f;
                         }
-                        let _e1570 = phi_2738_;
-                        let _e1572 = select(1023f, _e1570, (_e1570 < 1023f));
-                        let _e1574 = select(0f, _e1572, (_e1572 > 0f));
-                        let _e1579 = select(select(u32(_e1574), 0u, (_e1574 < 0f)), 4294967295u, (_e1574 > 4294967000f));
-                        if (_e1579 > 0u) {
-                            let _e1586 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1579) * _e1157)) ^ _e70)));
-                            let _e1591 = (select(select(_e925.member_1[2], _e1586, (_e1586 < _e925.member_1[2])), _e925.member_1[2], (_e1579 == 1023u)) > _e896.member.z);
-                            if _e1591 {
-                                phi_2789_ = (_e1579 - 1u);
+                        let _e1642 = phi_2906_;
+                        let _e1644 = select(1023f, _e1642, (_e1642 < 1023f));
+                        let _e1646 = select(0f, _e1644, (_e1644 > 0f));
+                        let _e1651 = select(select(u32(_e1646), 0u, (_e1646 < 0f)), 4294967295u, (_e1646 > 4294967000f));
+                        if (_e1651 > 0u) {
+                            let _e1658 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1651) * _e1193)) ^ _e70)));
+                            let _e1663 = (select(select(_e961.member_1[2], _e1658, (_e1658 < _e961.member_1[2])), _e961.member_1[2], (_e1651 == 1023u)) > _e932.member.z);
+                            if _e1663 {
+                                phi_2957_ = (_e1651 - 1u);
                             } else {
-                                phi_2789_ = u32();
+                                phi_2957_ = u32();
                             }
-                            let _e1594 = phi_2789_;
-                            phi_2791_ = _e1594;
-                            phi_2792_ = select(true, false, _e1591);
+                            let _e1666 = phi_2957_;
+                            phi_2959_ = _e1666;
+                            phi_2960_ = select(true, false, _e1663);
                         } else {
-                            phi_2791_ = u32();
-                            phi_2792_ = true;
+                            phi_2959_ = u32();
+                            phi_2960_ = true;
                         }
-                        let _e1597 = phi_2791_;
-                        let _e1599 = phi_2792_;
-                        if _e1599 {
-                            if (_e1579 < 1023u) {
-                                let _e1601 = (_e1579 + 1u);
-                                let _e1607 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1601) * _e1157)) ^ _e70)));
-                                phi_2830_ = select(_e1579, _e1601, (select(select(_e925.member_1[2], _e1607, (_e1607 < _e925.member_1[2])), _e925.member_1[2], (_e1601 == 1023u)) <= _e896.member.z));
+                        let _e1669 = phi_2959_;
+                        let _e1671 = phi_2960_;
+                        if _e1671 {
+                            if (_e1651 < 1023u) {
+                                let _e1673 = (_e1651 + 1u);
+                                let _e1679 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1673) * _e1193)) ^ _e70)));
+                                phi_2998_ = select(_e1651, _e1673, (select(select(_e961.member_1[2], _e1679, (_e1679 < _e961.member_1[2])), _e961.member_1[2], (_e1673 == 1023u)) <= _e932.member.z));
                             } else {
-                                phi_2830_ = _e1579;
+                                phi_2998_ = _e1651;
                             }
-                            let _e1615 = phi_2830_;
-                            phi_2831_ = _e1615;
+                            let _e1687 = phi_2998_;
+                            phi_2999_ = _e1687;
                         } else {
-                            phi_2831_ = _e1597;
+                            phi_2999_ = _e1669;
                         }
-                        let _e1617 = phi_2831_;
-                        let _e1623 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1617) * _e1157)) ^ _e70)));
-                        let _e1632 = ((select(_e1486, 0u, (select(select(_e925.member_1[0], _e1492, (_e1492 < _e925.member_1[0])), _e925.member_1[0], (_e1486 == 1023u)) > _e896.member.x)) | (select(_e1550, 0u, (select(select(_e925.member_1[1], _e1556, (_e1556 < _e925.member_1[1])), _e925.member_1[1], (_e1550 == 1023u)) > _e896.member.y)) << bitcast<u32>(10i))) | (select(_e1617, 0u, (select(select(_e925.member_1[2], _e1623, (_e1623 < _e925.member_1[2])), _e925.member_1[2], (_e1617 == 1023u)) > _e896.member.z)) << bitcast<u32>(20i)));
-                        if _e934 {
-                            phi_2871_ = (((_e896.member_1.x - _e922.member[0]) / _e933) * 1023f);
+                        let _e1689 = phi_2999_;
+                        let _e1695 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1689) * _e1193)) ^ _e70)));
+                        let _e1704 = ((select(_e1558, 0u, (select(select(_e961.member_1[0], _e1564, (_e1564 < _e961.member_1[0])), _e961.member_1[0], (_e1558 == 1023u)) > _e932.member.x)) | (select(_e1622, 0u, (select(select(_e961.member_1[1], _e1628, (_e1628 < _e961.member_1[1])), _e961.member_1[1], (_e1622 == 1023u)) > _e932.member.y)) << bitcast<u32>(10i))) | (select(_e1689, 0u, (select(select(_e961.member_1[2], _e1695, (_e1695 < _e961.member_1[2])), _e961.member_1[2], (_e1689 == 1023u)) > _e932.member.z)) << bitcast<u32>(20i)));
+                        if _e970 {
+                            phi_3039_ = (((_e932.member_1.x - _e958.member[0]) / _e969) * 1023f);
                         } else {
-                            phi_2871_ = 0f;
+                            phi_3039_ = 0f;
                         }
-                        let _e1637 = phi_2871_;
-                        let _e1639 = select(1023f, _e1637, (_e1637 < 1023f));
-                        let _e1641 = select(0f, _e1639, (_e1639 > 0f));
-                        let _e1646 = select(select(u32(_e1641), 0u, (_e1641 < 0f)), 4294967295u, (_e1641 > 4294967000f));
-                        if (_e1646 > 0u) {
-                            let _e1653 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1646) * _e998)) ^ _e70)));
-                            let _e1658 = (select(select(_e925.member_1[0], _e1653, (_e1653 < _e925.member_1[0])), _e925.member_1[0], (_e1646 == 1023u)) > _e896.member_1.x);
-                            if _e1658 {
-                                phi_2922_ = (_e1646 - 1u);
+                        let _e1709 = phi_3039_;
+                        let _e1711 = select(1023f, _e1709, (_e1709 < 1023f));
+                        let _e1713 = select(0f, _e1711, (_e1711 > 0f));
+                        let _e1718 = select(select(u32(_e1713), 0u, (_e1713 < 0f)), 4294967295u, (_e1713 > 4294967000f));
+                        if (_e1718 > 0u) {
+                            let _e1725 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1718) * _e1034)) ^ _e70)));
+                            let _e1730 = (select(select(_e961.member_1[0], _e1725, (_e1725 < _e961.member_1[0])), _e961.member_1[0], (_e1718 == 1023u)) > _e932.member_1.x);
+                            if _e1730 {
+                                phi_3090_ = (_e1718 - 1u);
                             } else {
-                                phi_2922_ = u32();
+                                phi_3090_ = u32();
                             }
-                            let _e1661 = phi_2922_;
-                            phi_2924_ = _e1661;
-                            phi_2925_ = select(true, false, _e1658);
+                            let _e1733 = phi_3090_;
+                            phi_3092_ = _e1733;
+                            phi_3093_ = select(true, false, _e1730);
                         } else {
-                            phi_2924_ = u32();
-                            phi_2925_ = true;
+                            phi_3092_ = u32();
+                            phi_3093_ = true;
                         }
-                        let _e1664 = phi_2924_;
-                        let _e1666 = phi_2925_;
-                        if _e1666 {
-                            if (_e1646 < 1023u) {
-                                let _e1668 = (_e1646 + 1u);
-                                let _e1674 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1668) * _e998)) ^ _e70)));
-                                phi_2963_ = select(_e1646, _e1668, (select(select(_e925.member_1[0], _e1674, (_e1674 < _e925.member_1[0])), _e925.member_1[0], (_e1668 == 1023u)) <= _e896.member_1.x));
+                        let _e1736 = phi_3092_;
+                        let _e1738 = phi_3093_;
+                        if _e1738 {
+                            if (_e1718 < 1023u) {
+                                let _e1740 = (_e1718 + 1u);
+                                let _e1746 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1740) * _e1034)) ^ _e70)));
+                                phi_3131_ = select(_e1718, _e1740, (select(select(_e961.member_1[0], _e1746, (_e1746 < _e961.member_1[0])), _e961.member_1[0], (_e1740 == 1023u)) <= _e932.member_1.x));
                             } else {
-                                phi_2963_ = _e1646;
+                                phi_3131_ = _e1718;
                             }
-                            let _e1682 = phi_2963_;
-                            phi_2964_ = _e1682;
+                            let _e1754 = phi_3131_;
+                            phi_3132_ = _e1754;
                         } else {
-                            phi_2964_ = _e1664;
+                            phi_3132_ = _e1736;
                         }
-                        let _e1684 = phi_2964_;
-                        let _e1690 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1684) * _e998)) ^ _e70)));
-                        let _e1696 = select(_e1684, 0u, (select(select(_e925.member_1[0], _e1690, (_e1690 < _e925.member_1[0])), _e925.member_1[0], (_e1684 == 1023u)) > _e896.member_1.x));
-                        if (_e1696 < 1023u) {
-                            let _e1703 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1696) * _e998)) ^ _e70)));
-                            let _e1708 = (select(select(_e925.member_1[0], _e1703, (_e1703 < _e925.member_1[0])), _e925.member_1[0], (_e1696 == 1023u)) < _e896.member_1.x);
-                            if _e1708 {
-                                phi_3025_ = (_e1696 + 1u);
+                        let _e1756 = phi_3132_;
+                        let _e1762 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1756) * _e1034)) ^ _e70)));
+                        let _e1768 = select(_e1756, 0u, (select(select(_e961.member_1[0], _e1762, (_e1762 < _e961.member_1[0])), _e961.member_1[0], (_e1756 == 1023u)) > _e932.member_1.x));
+                        if (_e1768 < 1023u) {
+                            let _e1775 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1768) * _e1034)) ^ _e70)));
+                            let _e1780 = (select(select(_e961.member_1[0], _e1775, (_e1775 < _e961.member_1[0])), _e961.member_1[0], (_e1768 == 1023u)) < _e932.member_1.x);
+                            if _e1780 {
+                                phi_3193_ = (_e1768 + 1u);
                             } else {
-                                phi_3025_ = u32();
+                                phi_3193_ = u32();
                             }
-                            let _e1711 = phi_3025_;
-                            phi_3027_ = _e1711;
-                            phi_3028_ = select(true, false, _e1708);
+                            let _e1783 = phi_3193_;
+                            phi_3195_ = _e1783;
+                            phi_3196_ = select(true, false, _e1780);
                         } else {
-                            phi_3027_ = u32();
-                            phi_3028_ = true;
+                            phi_3195_ = u32();
+                            phi_3196_ = true;
                         }
-                        let _e1714 = phi_3027_;
-                        let _e1716 = phi_3028_;
-                        if _e1012 {
-                            phi_3042_ = (((_e896.member_1.y - _e922.member[1]) / _e1011) * 1023f);
+                        let _e1786 = phi_3195_;
+                        let _e1788 = phi_3196_;
+                        let _e1789 = select(_e1786, _e1768, _e1788);
+                        let _e1795 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1789) * _e1034)) ^ _e70)));
+                        if _e1048 {
+                            phi_3238_ = (((_e932.member_1.y - _e958.member[1]) / _e1047) * 1023f);
                         } else {
-                            phi_3042_ = 0f;
+                            phi_3238_ = 0f;
                         }
-                        let _e1722 = phi_3042_;
-                        let _e1724 = select(1023f, _e1722, (_e1722 < 1023f));
-                        let _e1726 = select(0f, _e1724, (_e1724 > 0f));
-                        let _e1731 = select(select(u32(_e1726), 0u, (_e1726 < 0f)), 4294967295u, (_e1726 > 4294967000f));
-                        if (_e1731 > 0u) {
-                            let _e1738 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1731) * _e1076)) ^ _e70)));
-                            let _e1743 = (select(select(_e925.member_1[1], _e1738, (_e1738 < _e925.member_1[1])), _e925.member_1[1], (_e1731 == 1023u)) > _e896.member_1.y);
-                            if _e1743 {
-                                phi_3093_ = (_e1731 - 1u);
+                        let _e1806 = phi_3238_;
+                        let _e1808 = select(1023f, _e1806, (_e1806 < 1023f));
+                        let _e1810 = select(0f, _e1808, (_e1808 > 0f));
+                        let _e1815 = select(select(u32(_e1810), 0u, (_e1810 < 0f)), 4294967295u, (_e1810 > 4294967000f));
+                        if (_e1815 > 0u) {
+                            let _e1822 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1815) * _e1112)) ^ _e70)));
+                            let _e1827 = (select(select(_e961.member_1[1], _e1822, (_e1822 < _e961.member_1[1])), _e961.member_1[1], (_e1815 == 1023u)) > _e932.member_1.y);
+                            if _e1827 {
+                                phi_3289_ = (_e1815 - 1u);
                             } else {
-                                phi_3093_ = u32();
+                                phi_3289_ = u32();
                             }
-                            let _e1746 = phi_3093_;
-                            phi_3095_ = _e1746;
-                            phi_3096_ = select(true, false, _e1743);
+                            let _e1830 = phi_3289_;
+                            phi_3291_ = _e1830;
+                            phi_3292_ = select(true, false, _e1827);
                         } else {
-                            phi_3095_ = u32();
-                            phi_3096_ = true;
+                            phi_3291_ = u32();
+                            phi_3292_ = true;
                         }
-                        let _e1749 = phi_3095_;
-                        let _e1751 = phi_3096_;
-                        if _e1751 {
-                            if (_e1731 < 1023u) {
-                                let _e1753 = (_e1731 + 1u);
-                                let _e1759 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1753) * _e1076)) ^ _e70)));
-                                phi_3134_ = select(_e1731, _e1753, (select(select(_e925.member_1[1], _e1759, (_e1759 < _e925.member_1[1])), _e925.member_1[1], (_e1753 == 1023u)) <= _e896.member_1.y));
+                        let _e1833 = phi_3291_;
+                        let _e1835 = phi_3292_;
+                        if _e1835 {
+                            if (_e1815 < 1023u) {
+                                let _e1837 = (_e1815 + 1u);
+                                let _e1843 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1837) * _e1112)) ^ _e70)));
+                                phi_3330_ = select(_e1815, _e1837, (select(select(_e961.member_1[1], _e1843, (_e1843 < _e961.member_1[1])), _e961.member_1[1], (_e1837 == 1023u)) <= _e932.member_1.y));
                             } else {
-                                phi_3134_ = _e1731;
+                                phi_3330_ = _e1815;
                             }
-                            let _e1767 = phi_3134_;
-                            phi_3135_ = _e1767;
+                            let _e1851 = phi_3330_;
+                            phi_3331_ = _e1851;
                         } else {
-                            phi_3135_ = _e1749;
+                            phi_3331_ = _e1833;
                         }
-                        let _e1769 = phi_3135_;
-                        let _e1775 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1769) * _e1076)) ^ _e70)));
-                        let _e1781 = select(_e1769, 0u, (select(select(_e925.member_1[1], _e1775, (_e1775 < _e925.member_1[1])), _e925.member_1[1], (_e1769 == 1023u)) > _e896.member_1.y));
-                        if (_e1781 < 1023u) {
-                            let _e1788 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1781) * _e1076)) ^ _e70)));
-                            let _e1793 = (select(select(_e925.member_1[1], _e1788, (_e1788 < _e925.member_1[1])), _e925.member_1[1], (_e1781 == 1023u)) < _e896.member_1.y);
-                            if _e1793 {
-                                phi_3196_ = (_e1781 + 1u);
+                        let _e1853 = phi_3331_;
+                        let _e1859 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1853) * _e1112)) ^ _e70)));
+                        let _e1865 = select(_e1853, 0u, (select(select(_e961.member_1[1], _e1859, (_e1859 < _e961.member_1[1])), _e961.member_1[1], (_e1853 == 1023u)) > _e932.member_1.y));
+                        if (_e1865 < 1023u) {
+                            let _e1872 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1865) * _e1112)) ^ _e70)));
+                            let _e1877 = (select(select(_e961.member_1[1], _e1872, (_e1872 < _e961.member_1[1])), _e961.member_1[1], (_e1865 == 1023u)) < _e932.member_1.y);
+                            if _e1877 {
+                                phi_3392_ = (_e1865 + 1u);
                             } else {
-                                phi_3196_ = u32();
+                                phi_3392_ = u32();
                             }
-                            let _e1796 = phi_3196_;
-                            phi_3198_ = _e1796;
-                            phi_3199_ = select(true, false, _e1793);
+                            let _e1880 = phi_3392_;
+                            phi_3394_ = _e1880;
+                            phi_3395_ = select(true, false, _e1877);
                         } else {
-                            phi_3198_ = u32();
-                            phi_3199_ = true;
+                            phi_3394_ = u32();
+                            phi_3395_ = true;
                         }
-                        let _e1799 = phi_3198_;
-                        let _e1801 = phi_3199_;
-                        if _e1093 {
-                            phi_3215_ = (((_e896.member_1.z - _e922.member[2]) / _e1092) * 1023f);
+                        let _e1883 = phi_3394_;
+                        let _e1885 = phi_3395_;
+                        let _e1886 = select(_e1883, _e1865, _e1885);
+                        let _e1892 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1886) * _e1112)) ^ _e70)));
+                        if _e1129 {
+                            phi_3439_ = (((_e932.member_1.z - _e958.member[2]) / _e1128) * 1023f);
                         } else {
-                            phi_3215_ = 0f;
+                            phi_3439_ = 0f;
                         }
-                        let _e1810 = phi_3215_;
-                        let _e1812 = select(1023f, _e1810, (_e1810 < 1023f));
-                        let _e1814 = select(0f, _e1812, (_e1812 > 0f));
-                        let _e1819 = select(select(u32(_e1814), 0u, (_e1814 < 0f)), 4294967295u, (_e1814 > 4294967000f));
-                        if (_e1819 > 0u) {
-                            let _e1826 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1819) * _e1157)) ^ _e70)));
-                            let _e1831 = (select(select(_e925.member_1[2], _e1826, (_e1826 < _e925.member_1[2])), _e925.member_1[2], (_e1819 == 1023u)) > _e896.member_1.z);
-                            if _e1831 {
-                                phi_3266_ = (_e1819 - 1u);
+                        let _e1906 = phi_3439_;
+                        let _e1908 = select(1023f, _e1906, (_e1906 < 1023f));
+                        let _e1910 = select(0f, _e1908, (_e1908 > 0f));
+                        let _e1915 = select(select(u32(_e1910), 0u, (_e1910 < 0f)), 4294967295u, (_e1910 > 4294967000f));
+                        if (_e1915 > 0u) {
+                            let _e1922 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1915) * _e1193)) ^ _e70)));
+                            let _e1927 = (select(select(_e961.member_1[2], _e1922, (_e1922 < _e961.member_1[2])), _e961.member_1[2], (_e1915 == 1023u)) > _e932.member_1.z);
+                            if _e1927 {
+                                phi_3490_ = (_e1915 - 1u);
                             } else {
-                                phi_3266_ = u32();
+                                phi_3490_ = u32();
                             }
-                            let _e1834 = phi_3266_;
-                            phi_3268_ = _e1834;
-                            phi_3269_ = select(true, false, _e1831);
+                            let _e1930 = phi_3490_;
+                            phi_3492_ = _e1930;
+                            phi_3493_ = select(true, false, _e1927);
                         } else {
-                            phi_3268_ = u32();
-                            phi_3269_ = true;
+                            phi_3492_ = u32();
+                            phi_3493_ = true;
                         }
-                        let _e1837 = phi_3268_;
-                        let _e1839 = phi_3269_;
-                        if _e1839 {
-                            if (_e1819 < 1023u) {
-                                let _e1841 = (_e1819 + 1u);
-                                let _e1847 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1841) * _e1157)) ^ _e70)));
-                                phi_3307_ = select(_e1819, _e1841, (select(select(_e925.member_1[2], _e1847, (_e1847 < _e925.member_1[2])), _e925.member_1[2], (_e1841 == 1023u)) <= _e896.member_1.z));
+                        let _e1933 = phi_3492_;
+                        let _e1935 = phi_3493_;
+                        if _e1935 {
+                            if (_e1915 < 1023u) {
+                                let _e1937 = (_e1915 + 1u);
+                                let _e1943 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1937) * _e1193)) ^ _e70)));
+                                phi_3531_ = select(_e1915, _e1937, (select(select(_e961.member_1[2], _e1943, (_e1943 < _e961.member_1[2])), _e961.member_1[2], (_e1937 == 1023u)) <= _e932.member_1.z));
                             } else {
-                                phi_3307_ = _e1819;
+                                phi_3531_ = _e1915;
                             }
-                            let _e1855 = phi_3307_;
-                            phi_3308_ = _e1855;
+                            let _e1951 = phi_3531_;
+                            phi_3532_ = _e1951;
                         } else {
-                            phi_3308_ = _e1837;
+                            phi_3532_ = _e1933;
                         }
-                        let _e1857 = phi_3308_;
-                        let _e1863 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1857) * _e1157)) ^ _e70)));
-                        let _e1869 = select(_e1857, 0u, (select(select(_e925.member_1[2], _e1863, (_e1863 < _e925.member_1[2])), _e925.member_1[2], (_e1857 == 1023u)) > _e896.member_1.z));
-                        if (_e1869 < 1023u) {
-                            let _e1876 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1869) * _e1157)) ^ _e70)));
-                            let _e1881 = (select(select(_e925.member_1[2], _e1876, (_e1876 < _e925.member_1[2])), _e925.member_1[2], (_e1869 == 1023u)) < _e896.member_1.z);
-                            if _e1881 {
-                                phi_3369_ = (_e1869 + 1u);
+                        let _e1953 = phi_3532_;
+                        let _e1959 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1953) * _e1193)) ^ _e70)));
+                        let _e1965 = select(_e1953, 0u, (select(select(_e961.member_1[2], _e1959, (_e1959 < _e961.member_1[2])), _e961.member_1[2], (_e1953 == 1023u)) > _e932.member_1.z));
+                        if (_e1965 < 1023u) {
+                            let _e1972 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1965) * _e1193)) ^ _e70)));
+                            let _e1977 = (select(select(_e961.member_1[2], _e1972, (_e1972 < _e961.member_1[2])), _e961.member_1[2], (_e1965 == 1023u)) < _e932.member_1.z);
+                            if _e1977 {
+                                phi_3593_ = (_e1965 + 1u);
                             } else {
-                                phi_3369_ = u32();
+                                phi_3593_ = u32();
                             }
-                            let _e1884 = phi_3369_;
-                            phi_3371_ = _e1884;
-                            phi_3372_ = select(true, false, _e1881);
+                            let _e1980 = phi_3593_;
+                            phi_3595_ = _e1980;
+                            phi_3596_ = select(true, false, _e1977);
                         } else {
-                            phi_3371_ = u32();
-                            phi_3372_ = true;
+                            phi_3595_ = u32();
+                            phi_3596_ = true;
                         }
-                        let _e1887 = phi_3371_;
-                        let _e1889 = phi_3372_;
-                        let _e1893 = ((select(_e1714, _e1696, _e1716) | (select(_e1799, _e1781, _e1801) << bitcast<u32>(10i))) | (select(_e1887, _e1869, _e1889) << bitcast<u32>(20i)));
-                        let _e1896 = (_e1172 & 1023u);
-                        let _e1902 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1896) * _e998)) ^ _e70)));
-                        let _e1906 = select(select(_e925.member_1[0], _e1902, (_e1902 < _e925.member_1[0])), _e925.member_1[0], (_e1896 == 1023u));
-                        let _e1909 = ((_e1172 >> bitcast<u32>(10u)) & 1023u);
-                        let _e1915 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1909) * _e1076)) ^ _e70)));
-                        let _e1919 = select(select(_e925.member_1[1], _e1915, (_e1915 < _e925.member_1[1])), _e925.member_1[1], (_e1909 == 1023u));
-                        let _e1922 = ((_e1172 >> bitcast<u32>(20u)) & 1023u);
-                        let _e1928 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1922) * _e1157)) ^ _e70)));
-                        let _e1932 = select(select(_e925.member_1[2], _e1928, (_e1928 < _e925.member_1[2])), _e925.member_1[2], (_e1922 == 1023u));
-                        let _e1933 = (_e1433 & 1023u);
-                        let _e1939 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1933) * _e998)) ^ _e70)));
-                        let _e1943 = select(select(_e925.member_1[0], _e1939, (_e1939 < _e925.member_1[0])), _e925.member_1[0], (_e1933 == 1023u));
-                        let _e1946 = ((_e1433 >> bitcast<u32>(10u)) & 1023u);
-                        let _e1952 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1946) * _e1076)) ^ _e70)));
-                        let _e1956 = select(select(_e925.member_1[1], _e1952, (_e1952 < _e925.member_1[1])), _e925.member_1[1], (_e1946 == 1023u));
-                        let _e1959 = ((_e1433 >> bitcast<u32>(20u)) & 1023u);
-                        let _e1965 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1959) * _e1157)) ^ _e70)));
-                        let _e1969 = select(select(_e925.member_1[2], _e1965, (_e1965 < _e925.member_1[2])), _e925.member_1[2], (_e1959 == 1023u));
-                        let _e1970 = (_e1632 & 1023u);
-                        let _e1976 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1970) * _e998)) ^ _e70)));
-                        let _e1980 = select(select(_e925.member_1[0], _e1976, (_e1976 < _e925.member_1[0])), _e925.member_1[0], (_e1970 == 1023u));
-                        let _e1983 = ((_e1632 >> bitcast<u32>(10u)) & 1023u);
-                        let _e1989 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1983) * _e1076)) ^ _e70)));
-                        let _e1993 = select(select(_e925.member_1[1], _e1989, (_e1989 < _e925.member_1[1])), _e925.member_1[1], (_e1983 == 1023u));
-                        let _e1996 = ((_e1632 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2002 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1996) * _e1157)) ^ _e70)));
-                        let _e2006 = select(select(_e925.member_1[2], _e2002, (_e2002 < _e925.member_1[2])), _e925.member_1[2], (_e1996 == 1023u));
-                        let _e2007 = (_e1893 & 1023u);
-                        let _e2013 = (_e922.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2007) * _e998)) ^ _e70)));
-                        let _e2017 = select(select(_e925.member_1[0], _e2013, (_e2013 < _e925.member_1[0])), _e925.member_1[0], (_e2007 == 1023u));
-                        let _e2020 = ((_e1893 >> bitcast<u32>(10u)) & 1023u);
-                        let _e2026 = (_e922.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2020) * _e1076)) ^ _e70)));
-                        let _e2030 = select(select(_e925.member_1[1], _e2026, (_e2026 < _e925.member_1[1])), _e925.member_1[1], (_e2020 == 1023u));
-                        let _e2033 = ((_e1893 >> bitcast<u32>(20u)) & 1023u);
-                        let _e2039 = (_e922.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2033) * _e1157)) ^ _e70)));
-                        let _e2043 = select(select(_e925.member_1[2], _e2039, (_e2039 < _e925.member_1[2])), _e925.member_1[2], (_e2033 == 1023u));
+                        let _e1983 = phi_3595_;
+                        let _e1985 = phi_3596_;
+                        let _e1986 = select(_e1983, _e1965, _e1985);
+                        let _e1992 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1986) * _e1193)) ^ _e70)));
+                        let _e2001 = ((select(_e1789, 1023u, (select(select(_e961.member_1[0], _e1795, (_e1795 < _e961.member_1[0])), _e961.member_1[0], (_e1789 == 1023u)) < _e932.member_1.x)) | (select(_e1886, 1023u, (select(select(_e961.member_1[1], _e1892, (_e1892 < _e961.member_1[1])), _e961.member_1[1], (_e1886 == 1023u)) < _e932.member_1.y)) << bitcast<u32>(10i))) | (select(_e1986, 1023u, (select(select(_e961.member_1[2], _e1992, (_e1992 < _e961.member_1[2])), _e961.member_1[2], (_e1986 == 1023u)) < _e932.member_1.z)) << bitcast<u32>(20i)));
+                        let _e2004 = (_e1208 & 1023u);
+                        let _e2010 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2004) * _e1034)) ^ _e70)));
+                        let _e2014 = select(select(_e961.member_1[0], _e2010, (_e2010 < _e961.member_1[0])), _e961.member_1[0], (_e2004 == 1023u));
+                        let _e2017 = ((_e1208 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2023 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2017) * _e1112)) ^ _e70)));
+                        let _e2027 = select(select(_e961.member_1[1], _e2023, (_e2023 < _e961.member_1[1])), _e961.member_1[1], (_e2017 == 1023u));
+                        let _e2030 = ((_e1208 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2036 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2030) * _e1193)) ^ _e70)));
+                        let _e2040 = select(select(_e961.member_1[2], _e2036, (_e2036 < _e961.member_1[2])), _e961.member_1[2], (_e2030 == 1023u));
+                        let _e2041 = (_e1505 & 1023u);
+                        let _e2047 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2041) * _e1034)) ^ _e70)));
+                        let _e2051 = select(select(_e961.member_1[0], _e2047, (_e2047 < _e961.member_1[0])), _e961.member_1[0], (_e2041 == 1023u));
+                        let _e2054 = ((_e1505 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2060 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2054) * _e1112)) ^ _e70)));
+                        let _e2064 = select(select(_e961.member_1[1], _e2060, (_e2060 < _e961.member_1[1])), _e961.member_1[1], (_e2054 == 1023u));
+                        let _e2067 = ((_e1505 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2073 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2067) * _e1193)) ^ _e70)));
+                        let _e2077 = select(select(_e961.member_1[2], _e2073, (_e2073 < _e961.member_1[2])), _e961.member_1[2], (_e2067 == 1023u));
+                        let _e2078 = (_e1704 & 1023u);
+                        let _e2084 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2078) * _e1034)) ^ _e70)));
+                        let _e2088 = select(select(_e961.member_1[0], _e2084, (_e2084 < _e961.member_1[0])), _e961.member_1[0], (_e2078 == 1023u));
+                        let _e2091 = ((_e1704 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2097 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2091) * _e1112)) ^ _e70)));
+                        let _e2101 = select(select(_e961.member_1[1], _e2097, (_e2097 < _e961.member_1[1])), _e961.member_1[1], (_e2091 == 1023u));
+                        let _e2104 = ((_e1704 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2110 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2104) * _e1193)) ^ _e70)));
+                        let _e2114 = select(select(_e961.member_1[2], _e2110, (_e2110 < _e961.member_1[2])), _e961.member_1[2], (_e2104 == 1023u));
+                        let _e2115 = (_e2001 & 1023u);
+                        let _e2121 = (_e958.member[0] + bitcast<f32>((bitcast<u32>((f32(_e2115) * _e1034)) ^ _e70)));
+                        let _e2125 = select(select(_e961.member_1[0], _e2121, (_e2121 < _e961.member_1[0])), _e961.member_1[0], (_e2115 == 1023u));
+                        let _e2128 = ((_e2001 >> bitcast<u32>(10u)) & 1023u);
+                        let _e2134 = (_e958.member[1] + bitcast<f32>((bitcast<u32>((f32(_e2128) * _e1112)) ^ _e70)));
+                        let _e2138 = select(select(_e961.member_1[1], _e2134, (_e2134 < _e961.member_1[1])), _e961.member_1[1], (_e2128 == 1023u));
+                        let _e2141 = ((_e2001 >> bitcast<u32>(20u)) & 1023u);
+                        let _e2147 = (_e958.member[2] + bitcast<f32>((bitcast<u32>((f32(_e2141) * _e1193)) ^ _e70)));
+                        let _e2151 = select(select(_e961.member_1[2], _e2147, (_e2147 < _e961.member_1[2])), _e961.member_1[2], (_e2141 == 1023u));
                         if _e67 {
                         } else {
                             break;
                         }
-                        global_5.member[_e61] = type_37(array<u32, 2>(_e1172, _e1433), array<u32, 2>(_e1632, _e1893), _e838, _e869);
+                        global_5.member[_e61] = type_37(array<u32, 2>(_e1208, _e1505), array<u32, 2>(_e1704, _e2001), _e874, _e905);
                         if _e66 {
                         } else {
                             break;
                         }
-                        if ((_e838 & 2147483648u) != 0u) {
-                            phi_3766_ = type_4(0u, ((_e838 >> bitcast<u32>(28u)) & 7u));
+                        if ((_e874 & 2147483648u) != 0u) {
+                            phi_4018_ = type_4(0u, ((_e874 >> bitcast<u32>(28u)) & 7u));
                             loop {
-                                let _e2053 = phi_3766_;
-                                if (_e2053.member < _e2053.member_1) {
-                                    phi_3767_ = type_4((_e2053.member + 1u), _e2053.member_1);
-                                    phi_3790_ = type_4(1u, _e2053.member);
+                                let _e2161 = phi_4018_;
+                                if (_e2161.member < _e2161.member_1) {
+                                    phi_4019_ = type_4((_e2161.member + 1u), _e2161.member_1);
+                                    phi_4042_ = type_4(1u, _e2161.member);
                                 } else {
-                                    phi_3767_ = _e2053;
-                                    phi_3790_ = type_4(0u, type_4().member_1);
+                                    phi_4019_ = _e2161;
+                                    phi_4042_ = type_4(0u, type_4().member_1);
                                 }
-                                let _e2066 = phi_3767_;
-                                let _e2068 = phi_3790_;
-                                let _e2072 = (bitcast<i32>(_e2068.member) != 0i);
-                                if _e2072 {
-                                    let _e2074 = ((_e838 & 268435455u) + _e2068.member_1);
-                                    let _e2075 = (_e2074 < _e51);
-                                    if _e2075 {
-                                        let _e2076 = (_e2074 < _e55);
-                                        if _e2076 {
-                                            if _e2075 {
+                                let _e2174 = phi_4019_;
+                                let _e2176 = phi_4042_;
+                                let _e2180 = (bitcast<i32>(_e2176.member) != 0i);
+                                if _e2180 {
+                                    let _e2182 = ((_e874 & 268435455u) + _e2176.member_1);
+                                    let _e2183 = (_e2182 < _e51);
+                                    if _e2183 {
+                                        let _e2184 = (_e2182 < _e55);
+                                        if _e2184 {
+                                            if _e2183 {
                                             } else {
-                                                phi_7666_ = true;
+                                                phi_7927_ = true;
                                                 break;
                                             }
-                                            let _e2081 = global_2.member[_e2074].member[0u];
-                                            let _e2086 = global_2.member[_e2074].member[1u];
-                                            let _e2091 = global_2.member[_e2074].member[2u];
-                                            let _e2092 = (_e1943 - _e1906);
-                                            let _e2093 = (_e2092 > 0f);
-                                            if _e2093 {
-                                                phi_3829_ = (((_e2081 - _e1906) / _e2092) * 1023f);
+                                            let _e2189 = global_2.member[_e2182].member[0u];
+                                            let _e2194 = global_2.member[_e2182].member[1u];
+                                            let _e2199 = global_2.member[_e2182].member[2u];
+                                            let _e2200 = (_e2051 - _e2014);
+                                            let _e2201 = (_e2200 > 0f);
+                                            if _e2201 {
+                                                phi_4081_ = (((_e2189 - _e2014) / _e2200) * 1023f);
                                             } else {
-                                                phi_3829_ = 0f;
+                                                phi_4081_ = 0f;
                                             }
-                                            let _e2098 = phi_3829_;
-                                            let _e2100 = select(1023f, _e2098, (_e2098 < 1023f));
-                                            let _e2102 = select(0f, _e2100, (_e2100 > 0f));
-                                            let _e2107 = select(select(u32(_e2102), 0u, (_e2102 < 0f)), 4294967295u, (_e2102 > 4294967000f));
-                                            if (_e2107 > 0u) {
-                                                let _e2118 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2107) * bitcast<f32>((bitcast<u32>((_e2092 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2123 = (select(select(_e1943, _e2118, (_e2118 < _e1943)), _e1943, (_e2107 == 1023u)) > _e2081);
-                                                if _e2123 {
-                                                    phi_3880_ = (_e2107 - 1u);
+                                            let _e2206 = phi_4081_;
+                                            let _e2208 = select(1023f, _e2206, (_e2206 < 1023f));
+                                            let _e2210 = select(0f, _e2208, (_e2208 > 0f));
+                                            let _e2215 = select(select(u32(_e2210), 0u, (_e2210 < 0f)), 4294967295u, (_e2210 > 4294967000f));
+                                            if (_e2215 > 0u) {
+                                                let _e2226 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2215) * bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e2231 = (select(select(_e2051, _e2226, (_e2226 < _e2051)), _e2051, (_e2215 == 1023u)) > _e2189);
+                                                if _e2231 {
+                                                    phi_4132_ = (_e2215 - 1u);
                                                 } else {
-                                                    phi_3880_ = u32();
+                                                    phi_4132_ = u32();
                                                 }
-                                                let _e2126 = phi_3880_;
-                                                phi_3882_ = _e2126;
-                                                phi_3883_ = select(true, false, _e2123);
+                                                let _e2234 = phi_4132_;
+                                                phi_4134_ = _e2234;
+                                                phi_4135_ = select(true, false, _e2231);
                                             } else {
-                                                phi_3882_ = u32();
-                                                phi_3883_ = true;
+                                                phi_4134_ = u32();
+                                                phi_4135_ = true;
                                             }
-                                            let _e2129 = phi_3882_;
-                                            let _e2131 = phi_3883_;
-                                            if _e2131 {
-                                                if (_e2107 < 1023u) {
-                                                    let _e2133 = (_e2107 + 1u);
-                                                    let _e2143 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2133) * bitcast<f32>((bitcast<u32>((_e2092 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_3921_ = select(_e2107, _e2133, (select(select(_e1943, _e2143, (_e2143 < _e1943)), _e1943, (_e2133 == 1023u)) <= _e2081));
+                                            let _e2237 = phi_4134_;
+                                            let _e2239 = phi_4135_;
+                                            if _e2239 {
+                                                if (_e2215 < 1023u) {
+                                                    let _e2241 = (_e2215 + 1u);
+                                                    let _e2251 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2241) * bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_4173_ = select(_e2215, _e2241, (select(select(_e2051, _e2251, (_e2251 < _e2051)), _e2051, (_e2241 == 1023u)) <= _e2189));
                                                 } else {
-                                                    phi_3921_ = _e2107;
+                                                    phi_4173_ = _e2215;
                                                 }
-                                                let _e2151 = phi_3921_;
-                                                phi_3922_ = _e2151;
+                                                let _e2259 = phi_4173_;
+                                                phi_4174_ = _e2259;
                                             } else {
-                                                phi_3922_ = _e2129;
+                                                phi_4174_ = _e2237;
                                             }
-                                            let _e2153 = phi_3922_;
-                                            let _e2157 = bitcast<f32>((bitcast<u32>((_e2092 * 0.0009775171f)) ^ _e70));
-                                            let _e2163 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2153) * _e2157)) ^ _e70)));
-                                            let _e2169 = select(_e2153, 0u, (select(select(_e1943, _e2163, (_e2163 < _e1943)), _e1943, (_e2153 == 1023u)) > _e2081));
-                                            if (_e2169 < 1023u) {
-                                                phi_3956_ = (_e2169 + 1u);
+                                            let _e2261 = phi_4174_;
+                                            let _e2265 = bitcast<f32>((bitcast<u32>((_e2200 * 0.0009775171f)) ^ _e70));
+                                            let _e2271 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2261) * _e2265)) ^ _e70)));
+                                            let _e2277 = select(_e2261, 0u, (select(select(_e2051, _e2271, (_e2271 < _e2051)), _e2051, (_e2261 == 1023u)) > _e2189));
+                                            if (_e2277 < 1023u) {
+                                                phi_4208_ = (_e2277 + 1u);
                                             } else {
-                                                phi_3956_ = _e2169;
+                                                phi_4208_ = _e2277;
                                             }
-                                            let _e2173 = phi_3956_;
-                                            let _e2179 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2169) * _e2157)) ^ _e70)));
-                                            let _e2193 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2173) * _e2157)) ^ _e70)));
-                                            let _e2204 = (_e1956 - _e1919);
-                                            let _e2205 = (_e2204 > 0f);
-                                            if _e2205 {
-                                                phi_4025_ = (((_e2086 - _e1919) / _e2204) * 1023f);
+                                            let _e2281 = phi_4208_;
+                                            let _e2287 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2277) * _e2265)) ^ _e70)));
+                                            let _e2301 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2281) * _e2265)) ^ _e70)));
+                                            let _e2312 = (_e2064 - _e2027);
+                                            let _e2313 = (_e2312 > 0f);
+                                            if _e2313 {
+                                                phi_4277_ = (((_e2194 - _e2027) / _e2312) * 1023f);
                                             } else {
-                                                phi_4025_ = 0f;
+                                                phi_4277_ = 0f;
                                             }
-                                            let _e2210 = phi_4025_;
-                                            let _e2212 = select(1023f, _e2210, (_e2210 < 1023f));
-                                            let _e2214 = select(0f, _e2212, (_e2212 > 0f));
-                                            let _e2219 = select(select(u32(_e2214), 0u, (_e2214 < 0f)), 4294967295u, (_e2214 > 4294967000f));
-                                            if (_e2219 > 0u) {
-                                                let _e2230 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2219) * bitcast<f32>((bitcast<u32>((_e2204 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2235 = (select(select(_e1956, _e2230, (_e2230 < _e1956)), _e1956, (_e2219 == 1023u)) > _e2086);
-                                                if _e2235 {
-                                                    phi_4076_ = (_e2219 - 1u);
+                                            let _e2318 = phi_4277_;
+                                            let _e2320 = select(1023f, _e2318, (_e2318 < 1023f));
+                                            let _e2322 = select(0f, _e2320, (_e2320 > 0f));
+                                            let _e2327 = select(select(u32(_e2322), 0u, (_e2322 < 0f)), 4294967295u, (_e2322 > 4294967000f));
+                                            if (_e2327 > 0u) {
+                                                let _e2338 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2327) * bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e2343 = (select(select(_e2064, _e2338, (_e2338 < _e2064)), _e2064, (_e2327 == 1023u)) > _e2194);
+                                                if _e2343 {
+                                                    phi_4328_ = (_e2327 - 1u);
                                                 } else {
-                                                    phi_4076_ = u32();
+                                                    phi_4328_ = u32();
                                                 }
-                                                let _e2238 = phi_4076_;
-                                                phi_4078_ = _e2238;
-                                                phi_4079_ = select(true, false, _e2235);
+                                                let _e2346 = phi_4328_;
+                                                phi_4330_ = _e2346;
+                                                phi_4331_ = select(true, false, _e2343);
                                             } else {
-                                                phi_4078_ = u32();
-                                                phi_4079_ = true;
+                                                phi_4330_ = u32();
+                                                phi_4331_ = true;
                                             }
-                                            let _e2241 = phi_4078_;
-                                            let _e2243 = phi_4079_;
-                                            if _e2243 {
-                                                if (_e2219 < 1023u) {
-                                                    let _e2245 = (_e2219 + 1u);
-                                                    let _e2255 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2245) * bitcast<f32>((bitcast<u32>((_e2204 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_4117_ = select(_e2219, _e2245, (select(select(_e1956, _e2255, (_e2255 < _e1956)), _e1956, (_e2245 == 1023u)) <= _e2086));
+                                            let _e2349 = phi_4330_;
+                                            let _e2351 = phi_4331_;
+                                            if _e2351 {
+                                                if (_e2327 < 1023u) {
+                                                    let _e2353 = (_e2327 + 1u);
+                                                    let _e2363 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2353) * bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_4369_ = select(_e2327, _e2353, (select(select(_e2064, _e2363, (_e2363 < _e2064)), _e2064, (_e2353 == 1023u)) <= _e2194));
                                                 } else {
-                                                    phi_4117_ = _e2219;
+                                                    phi_4369_ = _e2327;
                                                 }
-                                                let _e2263 = phi_4117_;
-                                                phi_4118_ = _e2263;
+                                                let _e2371 = phi_4369_;
+                                                phi_4370_ = _e2371;
                                             } else {
-                                                phi_4118_ = _e2241;
+                                                phi_4370_ = _e2349;
                                             }
-                                            let _e2265 = phi_4118_;
-                                            let _e2269 = bitcast<f32>((bitcast<u32>((_e2204 * 0.0009775171f)) ^ _e70));
-                                            let _e2275 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2265) * _e2269)) ^ _e70)));
-                                            let _e2281 = select(_e2265, 0u, (select(select(_e1956, _e2275, (_e2275 < _e1956)), _e1956, (_e2265 == 1023u)) > _e2086));
-                                            if (_e2281 < 1023u) {
-                                                phi_4152_ = (_e2281 + 1u);
+                                            let _e2373 = phi_4370_;
+                                            let _e2377 = bitcast<f32>((bitcast<u32>((_e2312 * 0.0009775171f)) ^ _e70));
+                                            let _e2383 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2373) * _e2377)) ^ _e70)));
+                                            let _e2389 = select(_e2373, 0u, (select(select(_e2064, _e2383, (_e2383 < _e2064)), _e2064, (_e2373 == 1023u)) > _e2194));
+                                            if (_e2389 < 1023u) {
+                                                phi_4404_ = (_e2389 + 1u);
                                             } else {
-                                                phi_4152_ = _e2281;
+                                                phi_4404_ = _e2389;
                                             }
-                                            let _e2285 = phi_4152_;
-                                            let _e2291 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2281) * _e2269)) ^ _e70)));
-                                            let _e2305 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2285) * _e2269)) ^ _e70)));
-                                            let _e2319 = (_e1969 - _e1932);
-                                            let _e2320 = (_e2319 > 0f);
-                                            if _e2320 {
-                                                phi_4223_ = (((_e2091 - _e1932) / _e2319) * 1023f);
+                                            let _e2393 = phi_4404_;
+                                            let _e2399 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2389) * _e2377)) ^ _e70)));
+                                            let _e2413 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2393) * _e2377)) ^ _e70)));
+                                            let _e2427 = (_e2077 - _e2040);
+                                            let _e2428 = (_e2427 > 0f);
+                                            if _e2428 {
+                                                phi_4475_ = (((_e2199 - _e2040) / _e2427) * 1023f);
                                             } else {
-                                                phi_4223_ = 0f;
+                                                phi_4475_ = 0f;
                                             }
-                                            let _e2325 = phi_4223_;
-                                            let _e2327 = select(1023f, _e2325, (_e2325 < 1023f));
-                                            let _e2329 = select(0f, _e2327, (_e2327 > 0f));
-                                            let _e2334 = select(select(u32(_e2329), 0u, (_e2329 < 0f)), 4294967295u, (_e2329 > 4294967000f));
-                                            if (_e2334 > 0u) {
-                                                let _e2345 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2334) * bitcast<f32>((bitcast<u32>((_e2319 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e2350 = (select(select(_e1969, _e2345, (_e2345 < _e1969)), _e1969, (_e2334 == 1023u)) > _e2091);
-                                                if _e2350 {
-                                                    phi_4274_ = (_e2334 - 1u);
+                                            let _e2433 = phi_4475_;
+                                            let _e2435 = select(1023f, _e2433, (_e2433 < 1023f));
+                                            let _e2437 = select(0f, _e2435, (_e2435 > 0f));
+                                            let _e2442 = select(select(u32(_e2437), 0u, (_e2437 < 0f)), 4294967295u, (_e2437 > 4294967000f));
+                                            if (_e2442 > 0u) {
+                                                let _e2453 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2442) * bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e2458 = (select(select(_e2077, _e2453, (_e2453 < _e2077)), _e2077, (_e2442 == 1023u)) > _e2199);
+                                                if _e2458 {
+                                                    phi_4526_ = (_e2442 - 1u);
                                                 } else {
-                                                    phi_4274_ = u32();
+                                                    phi_4526_ = u32();
                                                 }
-                                                let _e2353 = phi_4274_;
-                                                phi_4276_ = _e2353;
-                                                phi_4277_ = select(true, false, _e2350);
+                                                let _e2461 = phi_4526_;
+                                                phi_4528_ = _e2461;
+                                                phi_4529_ = select(true, false, _e2458);
                                             } else {
-                                                phi_4276_ = u32();
-                                                phi_4277_ = true;
+                                                phi_4528_ = u32();
+                                                phi_4529_ = true;
                                             }
-                                            let _e2356 = phi_4276_;
-                                            let _e2358 = phi_4277_;
-                                            if _e2358 {
-                                                if (_e2334 < 1023u) {
-                                                    let _e2360 = (_e2334 + 1u);
-                                                    let _e2370 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2360) * bitcast<f32>((bitcast<u32>((_e2319 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_4315_ = select(_e2334, _e2360, (select(select(_e1969, _e2370, (_e2370 < _e1969)), _e1969, (_e2360 == 1023u)) <= _e2091));
+                                            let _e2464 = phi_4528_;
+                                            let _e2466 = phi_4529_;
+                                            if _e2466 {
+                                                if (_e2442 < 1023u) {
+                                                    let _e2468 = (_e2442 + 1u);
+                                                    let _e2478 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2468) * bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_4567_ = select(_e2442, _e2468, (select(select(_e2077, _e2478, (_e2478 < _e2077)), _e2077, (_e2468 == 1023u)) <= _e2199));
                                                 } else {
-                                                    phi_4315_ = _e2334;
+                                                    phi_4567_ = _e2442;
                                                 }
-                                                let _e2378 = phi_4315_;
-                                                phi_4316_ = _e2378;
+                                                let _e2486 = phi_4567_;
+                                                phi_4568_ = _e2486;
                                             } else {
-                                                phi_4316_ = _e2356;
+                                                phi_4568_ = _e2464;
                                             }
-                                            let _e2380 = phi_4316_;
-                                            let _e2384 = bitcast<f32>((bitcast<u32>((_e2319 * 0.0009775171f)) ^ _e70));
-                                            let _e2390 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2380) * _e2384)) ^ _e70)));
-                                            let _e2396 = select(_e2380, 0u, (select(select(_e1969, _e2390, (_e2390 < _e1969)), _e1969, (_e2380 == 1023u)) > _e2091));
-                                            if (_e2396 < 1023u) {
-                                                phi_4350_ = (_e2396 + 1u);
+                                            let _e2488 = phi_4568_;
+                                            let _e2492 = bitcast<f32>((bitcast<u32>((_e2427 * 0.0009775171f)) ^ _e70));
+                                            let _e2498 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2488) * _e2492)) ^ _e70)));
+                                            let _e2504 = select(_e2488, 0u, (select(select(_e2077, _e2498, (_e2498 < _e2077)), _e2077, (_e2488 == 1023u)) > _e2199));
+                                            if (_e2504 < 1023u) {
+                                                phi_4602_ = (_e2504 + 1u);
                                             } else {
-                                                phi_4350_ = _e2396;
+                                                phi_4602_ = _e2504;
                                             }
-                                            let _e2400 = phi_4350_;
-                                            let _e2406 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2396) * _e2384)) ^ _e70)));
-                                            let _e2420 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2400) * _e2384)) ^ _e70)));
-                                            let _e2438 = global_2.member[_e2074].member[3u];
-                                            let _e2443 = global_2.member[_e2074].member[4u];
-                                            let _e2448 = global_2.member[_e2074].member[5u];
-                                            if _e2093 {
-                                                phi_4427_ = (((_e2438 - _e1906) / _e2092) * 1023f);
+                                            let _e2508 = phi_4602_;
+                                            let _e2514 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2504) * _e2492)) ^ _e70)));
+                                            let _e2528 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2508) * _e2492)) ^ _e70)));
+                                            let _e2546 = global_2.member[_e2182].member[3u];
+                                            let _e2551 = global_2.member[_e2182].member[4u];
+                                            let _e2556 = global_2.member[_e2182].member[5u];
+                                            if _e2201 {
+                                                phi_4679_ = (((_e2546 - _e2014) / _e2200) * 1023f);
                                             } else {
-                                                phi_4427_ = 0f;
+                                                phi_4679_ = 0f;
                                             }
-                                            let _e2453 = phi_4427_;
-                                            let _e2455 = select(1023f, _e2453, (_e2453 < 1023f));
-                                            let _e2457 = select(0f, _e2455, (_e2455 > 0f));
-                                            let _e2462 = select(select(u32(_e2457), 0u, (_e2457 < 0f)), 4294967295u, (_e2457 > 4294967000f));
-                                            if (_e2462 > 0u) {
-                                                let _e2469 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2462) * _e2157)) ^ _e70)));
-                                                let _e2474 = (select(select(_e1943, _e2469, (_e2469 < _e1943)), _e1943, (_e2462 == 1023u)) > _e2438);
-                                                if _e2474 {
-                                                    phi_4478_ = (_e2462 - 1u);
+                                            let _e2561 = phi_4679_;
+                                            let _e2563 = select(1023f, _e2561, (_e2561 < 1023f));
+                                            let _e2565 = select(0f, _e2563, (_e2563 > 0f));
+                                            let _e2570 = select(select(u32(_e2565), 0u, (_e2565 < 0f)), 4294967295u, (_e2565 > 4294967000f));
+                                            if (_e2570 > 0u) {
+                                                let _e2577 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2570) * _e2265)) ^ _e70)));
+                                                let _e2582 = (select(select(_e2051, _e2577, (_e2577 < _e2051)), _e2051, (_e2570 == 1023u)) > _e2546);
+                                                if _e2582 {
+                                                    phi_4730_ = (_e2570 - 1u);
                                                 } else {
-                                                    phi_4478_ = u32();
+                                                    phi_4730_ = u32();
                                                 }
-                                                let _e2477 = phi_4478_;
-                                                phi_4480_ = _e2477;
-                                                phi_4481_ = select(true, false, _e2474);
+                                                let _e2585 = phi_4730_;
+                                                phi_4732_ = _e2585;
+                                                phi_4733_ = select(true, false, _e2582);
                                             } else {
-                                                phi_4480_ = u32();
-                                                phi_4481_ = true;
+                                                phi_4732_ = u32();
+                                                phi_4733_ = true;
                                             }
-                                            let _e2480 = phi_4480_;
-                                            let _e2482 = phi_4481_;
-                                            if _e2482 {
-                                                if (_e2462 < 1023u) {
-                                                    let _e2484 = (_e2462 + 1u);
-                                                    let _e2490 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2484) * _e2157)) ^ _e70)));
-                                                    phi_4519_ = select(_e2462, _e2484, (select(select(_e1943, _e2490, (_e2490 < _e1943)), _e1943, (_e2484 == 1023u)) <= _e2438));
+                                            let _e2588 = phi_4732_;
+                                            let _e2590 = phi_4733_;
+                                            if _e2590 {
+                                                if (_e2570 < 1023u) {
+                                                    let _e2592 = (_e2570 + 1u);
+                                                    let _e2598 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2592) * _e2265)) ^ _e70)));
+                                                    phi_4771_ = select(_e2570, _e2592, (select(select(_e2051, _e2598, (_e2598 < _e2051)), _e2051, (_e2592 == 1023u)) <= _e2546));
                                                 } else {
-                                                    phi_4519_ = _e2462;
+                                                    phi_4771_ = _e2570;
                                                 }
-                                                let _e2498 = phi_4519_;
-                                                phi_4520_ = _e2498;
+                                                let _e2606 = phi_4771_;
+                                                phi_4772_ = _e2606;
                                             } else {
-                                                phi_4520_ = _e2480;
+                                                phi_4772_ = _e2588;
                                             }
-                                            let _e2500 = phi_4520_;
-                                            let _e2506 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2500) * _e2157)) ^ _e70)));
-                                            let _e2512 = select(_e2500, 0u, (select(select(_e1943, _e2506, (_e2506 < _e1943)), _e1943, (_e2500 == 1023u)) > _e2438));
-                                            if (_e2512 < 1023u) {
-                                                phi_4554_ = (_e2512 + 1u);
+                                            let _e2608 = phi_4772_;
+                                            let _e2614 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2608) * _e2265)) ^ _e70)));
+                                            let _e2620 = select(_e2608, 0u, (select(select(_e2051, _e2614, (_e2614 < _e2051)), _e2051, (_e2608 == 1023u)) > _e2546));
+                                            if (_e2620 < 1023u) {
+                                                phi_4806_ = (_e2620 + 1u);
                                             } else {
-                                                phi_4554_ = _e2512;
+                                                phi_4806_ = _e2620;
                                             }
-                                            let _e2516 = phi_4554_;
-                                            let _e2522 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2512) * _e2157)) ^ _e70)));
-                                            let _e2536 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2516) * _e2157)) ^ _e70)));
-                                            if _e2205 {
-                                                phi_4623_ = (((_e2443 - _e1919) / _e2204) * 1023f);
+                                            let _e2624 = phi_4806_;
+                                            let _e2630 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2620) * _e2265)) ^ _e70)));
+                                            let _e2644 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2624) * _e2265)) ^ _e70)));
+                                            if _e2313 {
+                                                phi_4875_ = (((_e2551 - _e2027) / _e2312) * 1023f);
                                             } else {
-                                                phi_4623_ = 0f;
+                                                phi_4875_ = 0f;
                                             }
-                                            let _e2551 = phi_4623_;
-                                            let _e2553 = select(1023f, _e2551, (_e2551 < 1023f));
-                                            let _e2555 = select(0f, _e2553, (_e2553 > 0f));
-                                            let _e2560 = select(select(u32(_e2555), 0u, (_e2555 < 0f)), 4294967295u, (_e2555 > 4294967000f));
-                                            if (_e2560 > 0u) {
-                                                let _e2567 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2560) * _e2269)) ^ _e70)));
-                                                let _e2572 = (select(select(_e1956, _e2567, (_e2567 < _e1956)), _e1956, (_e2560 == 1023u)) > _e2443);
-                                                if _e2572 {
-                                                    phi_4674_ = (_e2560 - 1u);
+                                            let _e2659 = phi_4875_;
+                                            let _e2661 = select(1023f, _e2659, (_e2659 < 1023f));
+                                            let _e2663 = select(0f, _e2661, (_e2661 > 0f));
+                                            let _e2668 = select(select(u32(_e2663), 0u, (_e2663 < 0f)), 4294967295u, (_e2663 > 4294967000f));
+                                            if (_e2668 > 0u) {
+                                                let _e2675 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2668) * _e2377)) ^ _e70)));
+                                                let _e2680 = (select(select(_e2064, _e2675, (_e2675 < _e2064)), _e2064, (_e2668 == 1023u)) > _e2551);
+                                                if _e2680 {
+                                                    phi_4926_ = (_e2668 - 1u);
                                                 } else {
-                                                    phi_4674_ = u32();
+                                                    phi_4926_ = u32();
                                                 }
-                                                let _e2575 = phi_4674_;
-                                                phi_4676_ = _e2575;
-                                                phi_4677_ = select(true, false, _e2572);
+                                                let _e2683 = phi_4926_;
+                                                phi_4928_ = _e2683;
+                                                phi_4929_ = select(true, false, _e2680);
                                             } else {
-                                                phi_4676_ = u32();
-                                                phi_4677_ = true;
+                                                phi_4928_ = u32();
+                                                phi_4929_ = true;
                                             }
-                                            let _e2578 = phi_4676_;
-                                            let _e2580 = phi_4677_;
-                                            if _e2580 {
-                                                if (_e2560 < 1023u) {
-                                                    let _e2582 = (_e2560 + 1u);
-                                                    let _e2588 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2582) * _e2269)) ^ _e70)));
-                                                    phi_4715_ = select(_e2560, _e2582, (select(select(_e1956, _e2588, (_e2588 < _e1956)), _e1956, (_e2582 == 1023u)) <= _e2443));
+                                            let _e2686 = phi_4928_;
+                                            let _e2688 = phi_4929_;
+                                            if _e2688 {
+                                                if (_e2668 < 1023u) {
+                                                    let _e2690 = (_e2668 + 1u);
+                                                    let _e2696 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2690) * _e2377)) ^ _e70)));
+                                                    phi_4967_ = select(_e2668, _e2690, (select(select(_e2064, _e2696, (_e2696 < _e2064)), _e2064, (_e2690 == 1023u)) <= _e2551));
                                                 } else {
-                                                    phi_4715_ = _e2560;
+                                                    phi_4967_ = _e2668;
                                                 }
-                                                let _e2596 = phi_4715_;
-                                                phi_4716_ = _e2596;
+                                                let _e2704 = phi_4967_;
+                                                phi_4968_ = _e2704;
                                             } else {
-                                                phi_4716_ = _e2578;
+                                                phi_4968_ = _e2686;
                                             }
-                                            let _e2598 = phi_4716_;
-                                            let _e2604 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2598) * _e2269)) ^ _e70)));
-                                            let _e2610 = select(_e2598, 0u, (select(select(_e1956, _e2604, (_e2604 < _e1956)), _e1956, (_e2598 == 1023u)) > _e2443));
-                                            if (_e2610 < 1023u) {
-                                                phi_4750_ = (_e2610 + 1u);
+                                            let _e2706 = phi_4968_;
+                                            let _e2712 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2706) * _e2377)) ^ _e70)));
+                                            let _e2718 = select(_e2706, 0u, (select(select(_e2064, _e2712, (_e2712 < _e2064)), _e2064, (_e2706 == 1023u)) > _e2551));
+                                            if (_e2718 < 1023u) {
+                                                phi_5002_ = (_e2718 + 1u);
                                             } else {
-                                                phi_4750_ = _e2610;
+                                                phi_5002_ = _e2718;
                                             }
-                                            let _e2614 = phi_4750_;
-                                            let _e2620 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2610) * _e2269)) ^ _e70)));
-                                            let _e2634 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2614) * _e2269)) ^ _e70)));
-                                            if _e2320 {
-                                                phi_4821_ = (((_e2448 - _e1932) / _e2319) * 1023f);
+                                            let _e2722 = phi_5002_;
+                                            let _e2728 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2718) * _e2377)) ^ _e70)));
+                                            let _e2742 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2722) * _e2377)) ^ _e70)));
+                                            if _e2428 {
+                                                phi_5073_ = (((_e2556 - _e2040) / _e2427) * 1023f);
                                             } else {
-                                                phi_4821_ = 0f;
+                                                phi_5073_ = 0f;
                                             }
-                                            let _e2652 = phi_4821_;
-                                            let _e2654 = select(1023f, _e2652, (_e2652 < 1023f));
-                                            let _e2656 = select(0f, _e2654, (_e2654 > 0f));
-                                            let _e2661 = select(select(u32(_e2656), 0u, (_e2656 < 0f)), 4294967295u, (_e2656 > 4294967000f));
-                                            if (_e2661 > 0u) {
-                                                let _e2668 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2661) * _e2384)) ^ _e70)));
-                                                let _e2673 = (select(select(_e1969, _e2668, (_e2668 < _e1969)), _e1969, (_e2661 == 1023u)) > _e2448);
-                                                if _e2673 {
-                                                    phi_4872_ = (_e2661 - 1u);
+                                            let _e2760 = phi_5073_;
+                                            let _e2762 = select(1023f, _e2760, (_e2760 < 1023f));
+                                            let _e2764 = select(0f, _e2762, (_e2762 > 0f));
+                                            let _e2769 = select(select(u32(_e2764), 0u, (_e2764 < 0f)), 4294967295u, (_e2764 > 4294967000f));
+                                            if (_e2769 > 0u) {
+                                                let _e2776 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2769) * _e2492)) ^ _e70)));
+                                                let _e2781 = (select(select(_e2077, _e2776, (_e2776 < _e2077)), _e2077, (_e2769 == 1023u)) > _e2556);
+                                                if _e2781 {
+                                                    phi_5124_ = (_e2769 - 1u);
                                                 } else {
-                                                    phi_4872_ = u32();
+                                                    phi_5124_ = u32();
                                                 }
-                                                let _e2676 = phi_4872_;
-                                                phi_4874_ = _e2676;
-                                                phi_4875_ = select(true, false, _e2673);
+                                                let _e2784 = phi_5124_;
+                                                phi_5126_ = _e2784;
+                                                phi_5127_ = select(true, false, _e2781);
                                             } else {
-                                                phi_4874_ = u32();
-                                                phi_4875_ = true;
+                                                phi_5126_ = u32();
+                                                phi_5127_ = true;
                                             }
-                                            let _e2679 = phi_4874_;
-                                            let _e2681 = phi_4875_;
-                                            if _e2681 {
-                                                if (_e2661 < 1023u) {
-                                                    let _e2683 = (_e2661 + 1u);
-                                                    let _e2689 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2683) * _e2384)) ^ _e70)));
-                                                    phi_4913_ = select(_e2661, _e2683, (select(select(_e1969, _e2689, (_e2689 < _e1969)), _e1969, (_e2683 == 1023u)) <= _e2448));
+                                            let _e2787 = phi_5126_;
+                                            let _e2789 = phi_5127_;
+                                            if _e2789 {
+                                                if (_e2769 < 1023u) {
+                                                    let _e2791 = (_e2769 + 1u);
+                                                    let _e2797 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2791) * _e2492)) ^ _e70)));
+                                                    phi_5165_ = select(_e2769, _e2791, (select(select(_e2077, _e2797, (_e2797 < _e2077)), _e2077, (_e2791 == 1023u)) <= _e2556));
                                                 } else {
-                                                    phi_4913_ = _e2661;
+                                                    phi_5165_ = _e2769;
                                                 }
-                                                let _e2697 = phi_4913_;
-                                                phi_4914_ = _e2697;
+                                                let _e2805 = phi_5165_;
+                                                phi_5166_ = _e2805;
                                             } else {
-                                                phi_4914_ = _e2679;
+                                                phi_5166_ = _e2787;
                                             }
-                                            let _e2699 = phi_4914_;
-                                            let _e2705 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2699) * _e2384)) ^ _e70)));
-                                            let _e2711 = select(_e2699, 0u, (select(select(_e1969, _e2705, (_e2705 < _e1969)), _e1969, (_e2699 == 1023u)) > _e2448));
-                                            if (_e2711 < 1023u) {
-                                                phi_4948_ = (_e2711 + 1u);
+                                            let _e2807 = phi_5166_;
+                                            let _e2813 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2807) * _e2492)) ^ _e70)));
+                                            let _e2819 = select(_e2807, 0u, (select(select(_e2077, _e2813, (_e2813 < _e2077)), _e2077, (_e2807 == 1023u)) > _e2556));
+                                            if (_e2819 < 1023u) {
+                                                phi_5200_ = (_e2819 + 1u);
                                             } else {
-                                                phi_4948_ = _e2711;
+                                                phi_5200_ = _e2819;
                                             }
-                                            let _e2715 = phi_4948_;
-                                            let _e2721 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2711) * _e2384)) ^ _e70)));
-                                            let _e2735 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2715) * _e2384)) ^ _e70)));
-                                            let _e2753 = global_2.member[_e2074].member[6u];
-                                            let _e2758 = global_2.member[_e2074].member[7u];
-                                            let _e2763 = global_2.member[_e2074].member[8u];
-                                            if _e2093 {
-                                                phi_5025_ = (((_e2753 - _e1906) / _e2092) * 1023f);
+                                            let _e2823 = phi_5200_;
+                                            let _e2829 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2819) * _e2492)) ^ _e70)));
+                                            let _e2843 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e2823) * _e2492)) ^ _e70)));
+                                            let _e2861 = global_2.member[_e2182].member[6u];
+                                            let _e2866 = global_2.member[_e2182].member[7u];
+                                            let _e2871 = global_2.member[_e2182].member[8u];
+                                            if _e2201 {
+                                                phi_5277_ = (((_e2861 - _e2014) / _e2200) * 1023f);
                                             } else {
-                                                phi_5025_ = 0f;
+                                                phi_5277_ = 0f;
                                             }
-                                            let _e2768 = phi_5025_;
-                                            let _e2770 = select(1023f, _e2768, (_e2768 < 1023f));
-                                            let _e2772 = select(0f, _e2770, (_e2770 > 0f));
-                                            let _e2777 = select(select(u32(_e2772), 0u, (_e2772 < 0f)), 4294967295u, (_e2772 > 4294967000f));
-                                            if (_e2777 > 0u) {
-                                                let _e2784 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2777) * _e2157)) ^ _e70)));
-                                                let _e2789 = (select(select(_e1943, _e2784, (_e2784 < _e1943)), _e1943, (_e2777 == 1023u)) > _e2753);
-                                                if _e2789 {
-                                                    phi_5076_ = (_e2777 - 1u);
+                                            let _e2876 = phi_5277_;
+                                            let _e2878 = select(1023f, _e2876, (_e2876 < 1023f));
+                                            let _e2880 = select(0f, _e2878, (_e2878 > 0f));
+                                            let _e2885 = select(select(u32(_e2880), 0u, (_e2880 < 0f)), 4294967295u, (_e2880 > 4294967000f));
+                                            if (_e2885 > 0u) {
+                                                let _e2892 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2885) * _e2265)) ^ _e70)));
+                                                let _e2897 = (select(select(_e2051, _e2892, (_e2892 < _e2051)), _e2051, (_e2885 == 1023u)) > _e2861);
+                                                if _e2897 {
+                                                    phi_5328_ = (_e2885 - 1u);
                                                 } else {
-                                                    phi_5076_ = u32();
+                                                    phi_5328_ = u32();
                                                 }
-                                                let _e2792 = phi_5076_;
-                                                phi_5078_ = _e2792;
-                                                phi_5079_ = select(true, false, _e2789);
+                                                let _e2900 = phi_5328_;
+                                                phi_5330_ = _e2900;
+                                                phi_5331_ = select(true, false, _e2897);
                                             } else {
-                                                phi_5078_ = u32();
-                                                phi_5079_ = true;
+                                                phi_5330_ = u32();
+                                                phi_5331_ = true;
                                             }
-                                            let _e2795 = phi_5078_;
-                                            let _e2797 = phi_5079_;
-                                            if _e2797 {
-                                                if (_e2777 < 1023u) {
-                                                    let _e2799 = (_e2777 + 1u);
-                                                    let _e2805 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2799) * _e2157)) ^ _e70)));
-                                                    phi_5117_ = select(_e2777, _e2799, (select(select(_e1943, _e2805, (_e2805 < _e1943)), _e1943, (_e2799 == 1023u)) <= _e2753));
+                                            let _e2903 = phi_5330_;
+                                            let _e2905 = phi_5331_;
+                                            if _e2905 {
+                                                if (_e2885 < 1023u) {
+                                                    let _e2907 = (_e2885 + 1u);
+                                                    let _e2913 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2907) * _e2265)) ^ _e70)));
+                                                    phi_5369_ = select(_e2885, _e2907, (select(select(_e2051, _e2913, (_e2913 < _e2051)), _e2051, (_e2907 == 1023u)) <= _e2861));
                                                 } else {
-                                                    phi_5117_ = _e2777;
+                                                    phi_5369_ = _e2885;
                                                 }
-                                                let _e2813 = phi_5117_;
-                                                phi_5118_ = _e2813;
+                                                let _e2921 = phi_5369_;
+                                                phi_5370_ = _e2921;
                                             } else {
-                                                phi_5118_ = _e2795;
+                                                phi_5370_ = _e2903;
                                             }
-                                            let _e2815 = phi_5118_;
-                                            let _e2821 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2815) * _e2157)) ^ _e70)));
-                                            let _e2827 = select(_e2815, 0u, (select(select(_e1943, _e2821, (_e2821 < _e1943)), _e1943, (_e2815 == 1023u)) > _e2753));
-                                            if (_e2827 < 1023u) {
-                                                phi_5152_ = (_e2827 + 1u);
+                                            let _e2923 = phi_5370_;
+                                            let _e2929 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2923) * _e2265)) ^ _e70)));
+                                            let _e2935 = select(_e2923, 0u, (select(select(_e2051, _e2929, (_e2929 < _e2051)), _e2051, (_e2923 == 1023u)) > _e2861));
+                                            if (_e2935 < 1023u) {
+                                                phi_5404_ = (_e2935 + 1u);
                                             } else {
-                                                phi_5152_ = _e2827;
+                                                phi_5404_ = _e2935;
                                             }
-                                            let _e2831 = phi_5152_;
-                                            let _e2837 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2827) * _e2157)) ^ _e70)));
-                                            let _e2851 = (_e1906 + bitcast<f32>((bitcast<u32>((f32(_e2831) * _e2157)) ^ _e70)));
-                                            if _e2205 {
-                                                phi_5221_ = (((_e2758 - _e1919) / _e2204) * 1023f);
+                                            let _e2939 = phi_5404_;
+                                            let _e2945 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2935) * _e2265)) ^ _e70)));
+                                            let _e2959 = (_e2014 + bitcast<f32>((bitcast<u32>((f32(_e2939) * _e2265)) ^ _e70)));
+                                            if _e2313 {
+                                                phi_5473_ = (((_e2866 - _e2027) / _e2312) * 1023f);
                                             } else {
-                                                phi_5221_ = 0f;
+                                                phi_5473_ = 0f;
                                             }
-                                            let _e2866 = phi_5221_;
-                                            let _e2868 = select(1023f, _e2866, (_e2866 < 1023f));
-                                            let _e2870 = select(0f, _e2868, (_e2868 > 0f));
-                                            let _e2875 = select(select(u32(_e2870), 0u, (_e2870 < 0f)), 4294967295u, (_e2870 > 4294967000f));
-                                            if (_e2875 > 0u) {
-                                                let _e2882 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2875) * _e2269)) ^ _e70)));
-                                                let _e2887 = (select(select(_e1956, _e2882, (_e2882 < _e1956)), _e1956, (_e2875 == 1023u)) > _e2758);
-                                                if _e2887 {
-                                                    phi_5272_ = (_e2875 - 1u);
+                                            let _e2974 = phi_5473_;
+                                            let _e2976 = select(1023f, _e2974, (_e2974 < 1023f));
+                                            let _e2978 = select(0f, _e2976, (_e2976 > 0f));
+                                            let _e2983 = select(select(u32(_e2978), 0u, (_e2978 < 0f)), 4294967295u, (_e2978 > 4294967000f));
+                                            if (_e2983 > 0u) {
+                                                let _e2990 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e2983) * _e2377)) ^ _e70)));
+                                                let _e2995 = (select(select(_e2064, _e2990, (_e2990 < _e2064)), _e2064, (_e2983 == 1023u)) > _e2866);
+                                                if _e2995 {
+                                                    phi_5524_ = (_e2983 - 1u);
                                                 } else {
-                                                    phi_5272_ = u32();
+                                                    phi_5524_ = u32();
                                                 }
-                                                let _e2890 = phi_5272_;
-                                                phi_5274_ = _e2890;
-                                                phi_5275_ = select(true, false, _e2887);
+                                                let _e2998 = phi_5524_;
+                                                phi_5526_ = _e2998;
+                                                phi_5527_ = select(true, false, _e2995);
                                             } else {
-                                                phi_5274_ = u32();
-                                                phi_5275_ = true;
+                                                phi_5526_ = u32();
+                                                phi_5527_ = true;
                                             }
-                                            let _e2893 = phi_5274_;
-                                            let _e2895 = phi_5275_;
-                                            if _e2895 {
-                                                if (_e2875 < 1023u) {
-                                                    let _e2897 = (_e2875 + 1u);
-                                                    let _e2903 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2897) * _e2269)) ^ _e70)));
-                                                    phi_5313_ = select(_e2875, _e2897, (select(select(_e1956, _e2903, (_e2903 < _e1956)), _e1956, (_e2897 == 1023u)) <= _e2758));
+                                            let _e3001 = phi_5526_;
+                                            let _e3003 = phi_5527_;
+                                            if _e3003 {
+                                                if (_e2983 < 1023u) {
+                                                    let _e3005 = (_e2983 + 1u);
+                                                    let _e3011 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3005) * _e2377)) ^ _e70)));
+                                                    phi_5565_ = select(_e2983, _e3005, (select(select(_e2064, _e3011, (_e3011 < _e2064)), _e2064, (_e3005 == 1023u)) <= _e2866));
                                                 } else {
-                                                    phi_5313_ = _e2875;
+                                                    phi_5565_ = _e2983;
                                                 }
-                                                let _e2911 = phi_5313_;
-                                                phi_5314_ = _e2911;
+                                                let _e3019 = phi_5565_;
+                                                phi_5566_ = _e3019;
                                             } else {
-                                                phi_5314_ = _e2893;
+                                                phi_5566_ = _e3001;
                                             }
-                                            let _e2913 = phi_5314_;
-                                            let _e2919 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2913) * _e2269)) ^ _e70)));
-                                            let _e2925 = select(_e2913, 0u, (select(select(_e1956, _e2919, (_e2919 < _e1956)), _e1956, (_e2913 == 1023u)) > _e2758));
-                                            if (_e2925 < 1023u) {
-                                                phi_5348_ = (_e2925 + 1u);
+                                            let _e3021 = phi_5566_;
+                                            let _e3027 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3021) * _e2377)) ^ _e70)));
+                                            let _e3033 = select(_e3021, 0u, (select(select(_e2064, _e3027, (_e3027 < _e2064)), _e2064, (_e3021 == 1023u)) > _e2866));
+                                            if (_e3033 < 1023u) {
+                                                phi_5600_ = (_e3033 + 1u);
                                             } else {
-                                                phi_5348_ = _e2925;
+                                                phi_5600_ = _e3033;
                                             }
-                                            let _e2929 = phi_5348_;
-                                            let _e2935 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2925) * _e2269)) ^ _e70)));
-                                            let _e2949 = (_e1919 + bitcast<f32>((bitcast<u32>((f32(_e2929) * _e2269)) ^ _e70)));
-                                            if _e2320 {
-                                                phi_5419_ = (((_e2763 - _e1932) / _e2319) * 1023f);
+                                            let _e3037 = phi_5600_;
+                                            let _e3043 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3033) * _e2377)) ^ _e70)));
+                                            let _e3057 = (_e2027 + bitcast<f32>((bitcast<u32>((f32(_e3037) * _e2377)) ^ _e70)));
+                                            if _e2428 {
+                                                phi_5671_ = (((_e2871 - _e2040) / _e2427) * 1023f);
                                             } else {
-                                                phi_5419_ = 0f;
+                                                phi_5671_ = 0f;
                                             }
-                                            let _e2967 = phi_5419_;
-                                            let _e2969 = select(1023f, _e2967, (_e2967 < 1023f));
-                                            let _e2971 = select(0f, _e2969, (_e2969 > 0f));
-                                            let _e2976 = select(select(u32(_e2971), 0u, (_e2971 < 0f)), 4294967295u, (_e2971 > 4294967000f));
-                                            if (_e2976 > 0u) {
-                                                let _e2983 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2976) * _e2384)) ^ _e70)));
-                                                let _e2988 = (select(select(_e1969, _e2983, (_e2983 < _e1969)), _e1969, (_e2976 == 1023u)) > _e2763);
-                                                if _e2988 {
-                                                    phi_5470_ = (_e2976 - 1u);
+                                            let _e3075 = phi_5671_;
+                                            let _e3077 = select(1023f, _e3075, (_e3075 < 1023f));
+                                            let _e3079 = select(0f, _e3077, (_e3077 > 0f));
+                                            let _e3084 = select(select(u32(_e3079), 0u, (_e3079 < 0f)), 4294967295u, (_e3079 > 4294967000f));
+                                            if (_e3084 > 0u) {
+                                                let _e3091 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3084) * _e2492)) ^ _e70)));
+                                                let _e3096 = (select(select(_e2077, _e3091, (_e3091 < _e2077)), _e2077, (_e3084 == 1023u)) > _e2871);
+                                                if _e3096 {
+                                                    phi_5722_ = (_e3084 - 1u);
                                                 } else {
-                                                    phi_5470_ = u32();
+                                                    phi_5722_ = u32();
                                                 }
-                                                let _e2991 = phi_5470_;
-                                                phi_5472_ = _e2991;
-                                                phi_5473_ = select(true, false, _e2988);
+                                                let _e3099 = phi_5722_;
+                                                phi_5724_ = _e3099;
+                                                phi_5725_ = select(true, false, _e3096);
                                             } else {
-                                                phi_5472_ = u32();
-                                                phi_5473_ = true;
+                                                phi_5724_ = u32();
+                                                phi_5725_ = true;
                                             }
-                                            let _e2994 = phi_5472_;
-                                            let _e2996 = phi_5473_;
-                                            if _e2996 {
-                                                if (_e2976 < 1023u) {
-                                                    let _e2998 = (_e2976 + 1u);
-                                                    let _e3004 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e2998) * _e2384)) ^ _e70)));
-                                                    phi_5511_ = select(_e2976, _e2998, (select(select(_e1969, _e3004, (_e3004 < _e1969)), _e1969, (_e2998 == 1023u)) <= _e2763));
+                                            let _e3102 = phi_5724_;
+                                            let _e3104 = phi_5725_;
+                                            if _e3104 {
+                                                if (_e3084 < 1023u) {
+                                                    let _e3106 = (_e3084 + 1u);
+                                                    let _e3112 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3106) * _e2492)) ^ _e70)));
+                                                    phi_5763_ = select(_e3084, _e3106, (select(select(_e2077, _e3112, (_e3112 < _e2077)), _e2077, (_e3106 == 1023u)) <= _e2871));
                                                 } else {
-                                                    phi_5511_ = _e2976;
+                                                    phi_5763_ = _e3084;
                                                 }
-                                                let _e3012 = phi_5511_;
-                                                phi_5512_ = _e3012;
+                                                let _e3120 = phi_5763_;
+                                                phi_5764_ = _e3120;
                                             } else {
-                                                phi_5512_ = _e2994;
+                                                phi_5764_ = _e3102;
                                             }
-                                            let _e3014 = phi_5512_;
-                                            let _e3020 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e3014) * _e2384)) ^ _e70)));
-                                            let _e3026 = select(_e3014, 0u, (select(select(_e1969, _e3020, (_e3020 < _e1969)), _e1969, (_e3014 == 1023u)) > _e2763));
-                                            if (_e3026 < 1023u) {
-                                                phi_5546_ = (_e3026 + 1u);
+                                            let _e3122 = phi_5764_;
+                                            let _e3128 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3122) * _e2492)) ^ _e70)));
+                                            let _e3134 = select(_e3122, 0u, (select(select(_e2077, _e3128, (_e3128 < _e2077)), _e2077, (_e3122 == 1023u)) > _e2871));
+                                            if (_e3134 < 1023u) {
+                                                phi_5798_ = (_e3134 + 1u);
                                             } else {
-                                                phi_5546_ = _e3026;
+                                                phi_5798_ = _e3134;
                                             }
-                                            let _e3030 = phi_5546_;
-                                            let _e3036 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e3026) * _e2384)) ^ _e70)));
-                                            let _e3050 = (_e1932 + bitcast<f32>((bitcast<u32>((f32(_e3030) * _e2384)) ^ _e70)));
-                                            let _e3068 = global_2.member[_e2074].member_1;
-                                            if _e2076 {
+                                            let _e3138 = phi_5798_;
+                                            let _e3144 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3134) * _e2492)) ^ _e70)));
+                                            let _e3158 = (_e2040 + bitcast<f32>((bitcast<u32>((f32(_e3138) * _e2492)) ^ _e70)));
+                                            let _e3176 = global_2.member[_e2182].member_1;
+                                            if _e2184 {
                                             } else {
-                                                phi_7666_ = true;
+                                                phi_7927_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e2074] = type_43(array<u32, 3>(((select(_e2169, _e2173, (bitcast<f32>((bitcast<u32>((select(select(_e1943, _e2193, (_e2193 < _e1943)), _e1943, (_e2173 == 1023u)) - _e2081)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2081 - select(select(_e1943, _e2179, (_e2179 < _e1943)), _e1943, (_e2169 == 1023u)))) & 2147483647u)))) | (select(_e2281, _e2285, (bitcast<f32>((bitcast<u32>((select(select(_e1956, _e2305, (_e2305 < _e1956)), _e1956, (_e2285 == 1023u)) - _e2086)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2086 - select(select(_e1956, _e2291, (_e2291 < _e1956)), _e1956, (_e2281 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2396, _e2400, (bitcast<f32>((bitcast<u32>((select(select(_e1969, _e2420, (_e2420 < _e1969)), _e1969, (_e2400 == 1023u)) - _e2091)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2091 - select(select(_e1969, _e2406, (_e2406 < _e1969)), _e1969, (_e2396 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2512, _e2516, (bitcast<f32>((bitcast<u32>((select(select(_e1943, _e2536, (_e2536 < _e1943)), _e1943, (_e2516 == 1023u)) - _e2438)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2438 - select(select(_e1943, _e2522, (_e2522 < _e1943)), _e1943, (_e2512 == 1023u)))) & 2147483647u)))) | (select(_e2610, _e2614, (bitcast<f32>((bitcast<u32>((select(select(_e1956, _e2634, (_e2634 < _e1956)), _e1956, (_e2614 == 1023u)) - _e2443)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2443 - select(select(_e1956, _e2620, (_e2620 < _e1956)), _e1956, (_e2610 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2711, _e2715, (bitcast<f32>((bitcast<u32>((select(select(_e1969, _e2735, (_e2735 < _e1969)), _e1969, (_e2715 == 1023u)) - _e2448)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2448 - select(select(_e1969, _e2721, (_e2721 < _e1969)), _e1969, (_e2711 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2827, _e2831, (bitcast<f32>((bitcast<u32>((select(select(_e1943, _e2851, (_e2851 < _e1943)), _e1943, (_e2831 == 1023u)) - _e2753)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2753 - select(select(_e1943, _e2837, (_e2837 < _e1943)), _e1943, (_e2827 == 1023u)))) & 2147483647u)))) | (select(_e2925, _e2929, (bitcast<f32>((bitcast<u32>((select(select(_e1956, _e2949, (_e2949 < _e1956)), _e1956, (_e2929 == 1023u)) - _e2758)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2758 - select(select(_e1956, _e2935, (_e2935 < _e1956)), _e1956, (_e2925 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3026, _e3030, (bitcast<f32>((bitcast<u32>((select(select(_e1969, _e3050, (_e3050 < _e1969)), _e1969, (_e3030 == 1023u)) - _e2763)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2763 - select(select(_e1969, _e3036, (_e3036 < _e1969)), _e1969, (_e3026 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e3068);
+                                            global_6.member[_e2182] = type_43(array<u32, 3>(((select(_e2277, _e2281, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2301, (_e2301 < _e2051)), _e2051, (_e2281 == 1023u)) - _e2189)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2189 - select(select(_e2051, _e2287, (_e2287 < _e2051)), _e2051, (_e2277 == 1023u)))) & 2147483647u)))) | (select(_e2389, _e2393, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e2413, (_e2413 < _e2064)), _e2064, (_e2393 == 1023u)) - _e2194)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2194 - select(select(_e2064, _e2399, (_e2399 < _e2064)), _e2064, (_e2389 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2504, _e2508, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e2528, (_e2528 < _e2077)), _e2077, (_e2508 == 1023u)) - _e2199)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2199 - select(select(_e2077, _e2514, (_e2514 < _e2077)), _e2077, (_e2504 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2620, _e2624, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2644, (_e2644 < _e2051)), _e2051, (_e2624 == 1023u)) - _e2546)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2546 - select(select(_e2051, _e2630, (_e2630 < _e2051)), _e2051, (_e2620 == 1023u)))) & 2147483647u)))) | (select(_e2718, _e2722, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e2742, (_e2742 < _e2064)), _e2064, (_e2722 == 1023u)) - _e2551)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2551 - select(select(_e2064, _e2728, (_e2728 < _e2064)), _e2064, (_e2718 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e2819, _e2823, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e2843, (_e2843 < _e2077)), _e2077, (_e2823 == 1023u)) - _e2556)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2556 - select(select(_e2077, _e2829, (_e2829 < _e2077)), _e2077, (_e2819 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e2935, _e2939, (bitcast<f32>((bitcast<u32>((select(select(_e2051, _e2959, (_e2959 < _e2051)), _e2051, (_e2939 == 1023u)) - _e2861)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2861 - select(select(_e2051, _e2945, (_e2945 < _e2051)), _e2051, (_e2935 == 1023u)))) & 2147483647u)))) | (select(_e3033, _e3037, (bitcast<f32>((bitcast<u32>((select(select(_e2064, _e3057, (_e3057 < _e2064)), _e2064, (_e3037 == 1023u)) - _e2866)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2866 - select(select(_e2064, _e3043, (_e3043 < _e2064)), _e2064, (_e3033 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3134, _e3138, (bitcast<f32>((bitcast<u32>((select(select(_e2077, _e3158, (_e3158 < _e2077)), _e2077, (_e3138 == 1023u)) - _e2871)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e2871 - select(select(_e2077, _e3144, (_e3144 < _e2077)), _e2077, (_e3134 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e3176);
                                         }
                                     }
                                 }
                                 continue;
                                 continuing {
-                                    phi_3766_ = _e2066;
-                                    phi_7666_ = _e834;
-                                    break if !(_e2072);
+                                    phi_4018_ = _e2174;
+                                    phi_7927_ = _e870;
+                                    break if !(_e2180);
                                 }
                             }
-                            let _e3074 = phi_7666_;
-                            if _e3074 {
+                            let _e3182 = phi_7927_;
+                            if _e3182 {
                                 break;
                             }
-                            phi_8101_ = _e3074;
+                            phi_8380_ = _e3182;
                         } else {
-                            phi_8101_ = _e834;
+                            phi_8380_ = _e870;
                         }
-                        let _e3076 = phi_8101_;
+                        let _e3184 = phi_8380_;
                         if _e66 {
                         } else {
                             break;
                         }
-                        if ((_e869 & 2147483648u) != 0u) {
-                            phi_5637_ = type_4(0u, ((_e869 >> bitcast<u32>(28u)) & 7u));
+                        if ((_e905 & 2147483648u) != 0u) {
+                            phi_5889_ = type_4(0u, ((_e905 >> bitcast<u32>(28u)) & 7u));
                             loop {
-                                let _e3084 = phi_5637_;
-                                if (_e3084.member < _e3084.member_1) {
-                                    phi_5638_ = type_4((_e3084.member + 1u), _e3084.member_1);
-                                    phi_5661_ = type_4(1u, _e3084.member);
+                                let _e3192 = phi_5889_;
+                                if (_e3192.member < _e3192.member_1) {
+                                    phi_5890_ = type_4((_e3192.member + 1u), _e3192.member_1);
+                                    phi_5913_ = type_4(1u, _e3192.member);
                                 } else {
-                                    phi_5638_ = _e3084;
-                                    phi_5661_ = type_4(0u, type_4().member_1);
+                                    phi_5890_ = _e3192;
+                                    phi_5913_ = type_4(0u, type_4().member_1);
                                 }
-                                let _e3097 = phi_5638_;
-                                let _e3099 = phi_5661_;
-                                let _e3103 = (bitcast<i32>(_e3099.member) != 0i);
-                                if _e3103 {
-                                    let _e3105 = ((_e869 & 268435455u) + _e3099.member_1);
-                                    let _e3106 = (_e3105 < _e51);
-                                    if _e3106 {
-                                        let _e3107 = (_e3105 < _e55);
-                                        if _e3107 {
-                                            if _e3106 {
+                                let _e3205 = phi_5890_;
+                                let _e3207 = phi_5913_;
+                                let _e3211 = (bitcast<i32>(_e3207.member) != 0i);
+                                if _e3211 {
+                                    let _e3213 = ((_e905 & 268435455u) + _e3207.member_1);
+                                    let _e3214 = (_e3213 < _e51);
+                                    if _e3214 {
+                                        let _e3215 = (_e3213 < _e55);
+                                        if _e3215 {
+                                            if _e3214 {
                                             } else {
-                                                phi_8097_ = true;
+                                                phi_8376_ = true;
                                                 break;
                                             }
-                                            let _e3112 = global_2.member[_e3105].member[0u];
-                                            let _e3117 = global_2.member[_e3105].member[1u];
-                                            let _e3122 = global_2.member[_e3105].member[2u];
-                                            let _e3123 = (_e2017 - _e1980);
-                                            let _e3124 = (_e3123 > 0f);
-                                            if _e3124 {
-                                                phi_5700_ = (((_e3112 - _e1980) / _e3123) * 1023f);
+                                            let _e3220 = global_2.member[_e3213].member[0u];
+                                            let _e3225 = global_2.member[_e3213].member[1u];
+                                            let _e3230 = global_2.member[_e3213].member[2u];
+                                            let _e3231 = (_e2125 - _e2088);
+                                            let _e3232 = (_e3231 > 0f);
+                                            if _e3232 {
+                                                phi_5952_ = (((_e3220 - _e2088) / _e3231) * 1023f);
                                             } else {
-                                                phi_5700_ = 0f;
+                                                phi_5952_ = 0f;
                                             }
-                                            let _e3129 = phi_5700_;
-                                            let _e3131 = select(1023f, _e3129, (_e3129 < 1023f));
-                                            let _e3133 = select(0f, _e3131, (_e3131 > 0f));
-                                            let _e3138 = select(select(u32(_e3133), 0u, (_e3133 < 0f)), 4294967295u, (_e3133 > 4294967000f));
-                                            if (_e3138 > 0u) {
-                                                let _e3149 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3138) * bitcast<f32>((bitcast<u32>((_e3123 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3154 = (select(select(_e2017, _e3149, (_e3149 < _e2017)), _e2017, (_e3138 == 1023u)) > _e3112);
-                                                if _e3154 {
-                                                    phi_5751_ = (_e3138 - 1u);
+                                            let _e3237 = phi_5952_;
+                                            let _e3239 = select(1023f, _e3237, (_e3237 < 1023f));
+                                            let _e3241 = select(0f, _e3239, (_e3239 > 0f));
+                                            let _e3246 = select(select(u32(_e3241), 0u, (_e3241 < 0f)), 4294967295u, (_e3241 > 4294967000f));
+                                            if (_e3246 > 0u) {
+                                                let _e3257 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3246) * bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e3262 = (select(select(_e2125, _e3257, (_e3257 < _e2125)), _e2125, (_e3246 == 1023u)) > _e3220);
+                                                if _e3262 {
+                                                    phi_6003_ = (_e3246 - 1u);
                                                 } else {
-                                                    phi_5751_ = u32();
+                                                    phi_6003_ = u32();
                                                 }
-                                                let _e3157 = phi_5751_;
-                                                phi_5753_ = _e3157;
-                                                phi_5754_ = select(true, false, _e3154);
+                                                let _e3265 = phi_6003_;
+                                                phi_6005_ = _e3265;
+                                                phi_6006_ = select(true, false, _e3262);
                                             } else {
-                                                phi_5753_ = u32();
-                                                phi_5754_ = true;
+                                                phi_6005_ = u32();
+                                                phi_6006_ = true;
                                             }
-                                            let _e3160 = phi_5753_;
-                                            let _e3162 = phi_5754_;
-                                            if _e3162 {
-                                                if (_e3138 < 1023u) {
-                                                    let _e3164 = (_e3138 + 1u);
-                                                    let _e3174 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3164) * bitcast<f32>((bitcast<u32>((_e3123 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_5792_ = select(_e3138, _e3164, (select(select(_e2017, _e3174, (_e3174 < _e2017)), _e2017, (_e3164 == 1023u)) <= _e3112));
+                                            let _e3268 = phi_6005_;
+                                            let _e3270 = phi_6006_;
+                                            if _e3270 {
+                                                if (_e3246 < 1023u) {
+                                                    let _e3272 = (_e3246 + 1u);
+                                                    let _e3282 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3272) * bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_6044_ = select(_e3246, _e3272, (select(select(_e2125, _e3282, (_e3282 < _e2125)), _e2125, (_e3272 == 1023u)) <= _e3220));
                                                 } else {
-                                                    phi_5792_ = _e3138;
+                                                    phi_6044_ = _e3246;
                                                 }
-                                                let _e3182 = phi_5792_;
-                                                phi_5793_ = _e3182;
+                                                let _e3290 = phi_6044_;
+                                                phi_6045_ = _e3290;
                                             } else {
-                                                phi_5793_ = _e3160;
+                                                phi_6045_ = _e3268;
                                             }
-                                            let _e3184 = phi_5793_;
-                                            let _e3188 = bitcast<f32>((bitcast<u32>((_e3123 * 0.0009775171f)) ^ _e70));
-                                            let _e3194 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3184) * _e3188)) ^ _e70)));
-                                            let _e3200 = select(_e3184, 0u, (select(select(_e2017, _e3194, (_e3194 < _e2017)), _e2017, (_e3184 == 1023u)) > _e3112));
-                                            if (_e3200 < 1023u) {
-                                                phi_5827_ = (_e3200 + 1u);
+                                            let _e3292 = phi_6045_;
+                                            let _e3296 = bitcast<f32>((bitcast<u32>((_e3231 * 0.0009775171f)) ^ _e70));
+                                            let _e3302 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3292) * _e3296)) ^ _e70)));
+                                            let _e3308 = select(_e3292, 0u, (select(select(_e2125, _e3302, (_e3302 < _e2125)), _e2125, (_e3292 == 1023u)) > _e3220));
+                                            if (_e3308 < 1023u) {
+                                                phi_6079_ = (_e3308 + 1u);
                                             } else {
-                                                phi_5827_ = _e3200;
+                                                phi_6079_ = _e3308;
                                             }
-                                            let _e3204 = phi_5827_;
-                                            let _e3210 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3200) * _e3188)) ^ _e70)));
-                                            let _e3224 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3204) * _e3188)) ^ _e70)));
-                                            let _e3235 = (_e2030 - _e1993);
-                                            let _e3236 = (_e3235 > 0f);
-                                            if _e3236 {
-                                                phi_5896_ = (((_e3117 - _e1993) / _e3235) * 1023f);
+                                            let _e3312 = phi_6079_;
+                                            let _e3318 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3308) * _e3296)) ^ _e70)));
+                                            let _e3332 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3312) * _e3296)) ^ _e70)));
+                                            let _e3343 = (_e2138 - _e2101);
+                                            let _e3344 = (_e3343 > 0f);
+                                            if _e3344 {
+                                                phi_6148_ = (((_e3225 - _e2101) / _e3343) * 1023f);
                                             } else {
-                                                phi_5896_ = 0f;
+                                                phi_6148_ = 0f;
                                             }
-                                            let _e3241 = phi_5896_;
-                                            let _e3243 = select(1023f, _e3241, (_e3241 < 1023f));
-                                            let _e3245 = select(0f, _e3243, (_e3243 > 0f));
-                                            let _e3250 = select(select(u32(_e3245), 0u, (_e3245 < 0f)), 4294967295u, (_e3245 > 4294967000f));
-                                            if (_e3250 > 0u) {
-                                                let _e3261 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3250) * bitcast<f32>((bitcast<u32>((_e3235 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3266 = (select(select(_e2030, _e3261, (_e3261 < _e2030)), _e2030, (_e3250 == 1023u)) > _e3117);
-                                                if _e3266 {
-                                                    phi_5947_ = (_e3250 - 1u);
+                                            let _e3349 = phi_6148_;
+                                            let _e3351 = select(1023f, _e3349, (_e3349 < 1023f));
+                                            let _e3353 = select(0f, _e3351, (_e3351 > 0f));
+                                            let _e3358 = select(select(u32(_e3353), 0u, (_e3353 < 0f)), 4294967295u, (_e3353 > 4294967000f));
+                                            if (_e3358 > 0u) {
+                                                let _e3369 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3358) * bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e3374 = (select(select(_e2138, _e3369, (_e3369 < _e2138)), _e2138, (_e3358 == 1023u)) > _e3225);
+                                                if _e3374 {
+                                                    phi_6199_ = (_e3358 - 1u);
                                                 } else {
-                                                    phi_5947_ = u32();
+                                                    phi_6199_ = u32();
                                                 }
-                                                let _e3269 = phi_5947_;
-                                                phi_5949_ = _e3269;
-                                                phi_5950_ = select(true, false, _e3266);
+                                                let _e3377 = phi_6199_;
+                                                phi_6201_ = _e3377;
+                                                phi_6202_ = select(true, false, _e3374);
                                             } else {
-                                                phi_5949_ = u32();
-                                                phi_5950_ = true;
+                                                phi_6201_ = u32();
+                                                phi_6202_ = true;
                                             }
-                                            let _e3272 = phi_5949_;
-                                            let _e3274 = phi_5950_;
-                                            if _e3274 {
-                                                if (_e3250 < 1023u) {
-                                                    let _e3276 = (_e3250 + 1u);
-                                                    let _e3286 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3276) * bitcast<f32>((bitcast<u32>((_e3235 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_5988_ = select(_e3250, _e3276, (select(select(_e2030, _e3286, (_e3286 < _e2030)), _e2030, (_e3276 == 1023u)) <= _e3117));
+                                            let _e3380 = phi_6201_;
+                                            let _e3382 = phi_6202_;
+                                            if _e3382 {
+                                                if (_e3358 < 1023u) {
+                                                    let _e3384 = (_e3358 + 1u);
+                                                    let _e3394 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3384) * bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_6240_ = select(_e3358, _e3384, (select(select(_e2138, _e3394, (_e3394 < _e2138)), _e2138, (_e3384 == 1023u)) <= _e3225));
                                                 } else {
-                                                    phi_5988_ = _e3250;
+                                                    phi_6240_ = _e3358;
                                                 }
-                                                let _e3294 = phi_5988_;
-                                                phi_5989_ = _e3294;
+                                                let _e3402 = phi_6240_;
+                                                phi_6241_ = _e3402;
                                             } else {
-                                                phi_5989_ = _e3272;
+                                                phi_6241_ = _e3380;
                                             }
-                                            let _e3296 = phi_5989_;
-                                            let _e3300 = bitcast<f32>((bitcast<u32>((_e3235 * 0.0009775171f)) ^ _e70));
-                                            let _e3306 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3296) * _e3300)) ^ _e70)));
-                                            let _e3312 = select(_e3296, 0u, (select(select(_e2030, _e3306, (_e3306 < _e2030)), _e2030, (_e3296 == 1023u)) > _e3117));
-                                            if (_e3312 < 1023u) {
-                                                phi_6023_ = (_e3312 + 1u);
+                                            let _e3404 = phi_6241_;
+                                            let _e3408 = bitcast<f32>((bitcast<u32>((_e3343 * 0.0009775171f)) ^ _e70));
+                                            let _e3414 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3404) * _e3408)) ^ _e70)));
+                                            let _e3420 = select(_e3404, 0u, (select(select(_e2138, _e3414, (_e3414 < _e2138)), _e2138, (_e3404 == 1023u)) > _e3225));
+                                            if (_e3420 < 1023u) {
+                                                phi_6275_ = (_e3420 + 1u);
                                             } else {
-                                                phi_6023_ = _e3312;
+                                                phi_6275_ = _e3420;
                                             }
-                                            let _e3316 = phi_6023_;
-                                            let _e3322 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3312) * _e3300)) ^ _e70)));
-                                            let _e3336 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3316) * _e3300)) ^ _e70)));
-                                            let _e3350 = (_e2043 - _e2006);
-                                            let _e3351 = (_e3350 > 0f);
-                                            if _e3351 {
-                                                phi_6094_ = (((_e3122 - _e2006) / _e3350) * 1023f);
+                                            let _e3424 = phi_6275_;
+                                            let _e3430 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3420) * _e3408)) ^ _e70)));
+                                            let _e3444 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3424) * _e3408)) ^ _e70)));
+                                            let _e3458 = (_e2151 - _e2114);
+                                            let _e3459 = (_e3458 > 0f);
+                                            if _e3459 {
+                                                phi_6346_ = (((_e3230 - _e2114) / _e3458) * 1023f);
                                             } else {
-                                                phi_6094_ = 0f;
+                                                phi_6346_ = 0f;
                                             }
-                                            let _e3356 = phi_6094_;
-                                            let _e3358 = select(1023f, _e3356, (_e3356 < 1023f));
-                                            let _e3360 = select(0f, _e3358, (_e3358 > 0f));
-                                            let _e3365 = select(select(u32(_e3360), 0u, (_e3360 < 0f)), 4294967295u, (_e3360 > 4294967000f));
-                                            if (_e3365 > 0u) {
-                                                let _e3376 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3365) * bitcast<f32>((bitcast<u32>((_e3350 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                let _e3381 = (select(select(_e2043, _e3376, (_e3376 < _e2043)), _e2043, (_e3365 == 1023u)) > _e3122);
-                                                if _e3381 {
-                                                    phi_6145_ = (_e3365 - 1u);
+                                            let _e3464 = phi_6346_;
+                                            let _e3466 = select(1023f, _e3464, (_e3464 < 1023f));
+                                            let _e3468 = select(0f, _e3466, (_e3466 > 0f));
+                                            let _e3473 = select(select(u32(_e3468), 0u, (_e3468 < 0f)), 4294967295u, (_e3468 > 4294967000f));
+                                            if (_e3473 > 0u) {
+                                                let _e3484 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3473) * bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                let _e3489 = (select(select(_e2151, _e3484, (_e3484 < _e2151)), _e2151, (_e3473 == 1023u)) > _e3230);
+                                                if _e3489 {
+                                                    phi_6397_ = (_e3473 - 1u);
                                                 } else {
-                                                    phi_6145_ = u32();
+                                                    phi_6397_ = u32();
                                                 }
-                                                let _e3384 = phi_6145_;
-                                                phi_6147_ = _e3384;
-                                                phi_6148_ = select(true, false, _e3381);
+                                                let _e3492 = phi_6397_;
+                                                phi_6399_ = _e3492;
+                                                phi_6400_ = select(true, false, _e3489);
                                             } else {
-                                                phi_6147_ = u32();
-                                                phi_6148_ = true;
+                                                phi_6399_ = u32();
+                                                phi_6400_ = true;
                                             }
-                                            let _e3387 = phi_6147_;
-                                            let _e3389 = phi_6148_;
-                                            if _e3389 {
-                                                if (_e3365 < 1023u) {
-                                                    let _e3391 = (_e3365 + 1u);
-                                                    let _e3401 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3391) * bitcast<f32>((bitcast<u32>((_e3350 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
-                                                    phi_6186_ = select(_e3365, _e3391, (select(select(_e2043, _e3401, (_e3401 < _e2043)), _e2043, (_e3391 == 1023u)) <= _e3122));
+                                            let _e3495 = phi_6399_;
+                                            let _e3497 = phi_6400_;
+                                            if _e3497 {
+                                                if (_e3473 < 1023u) {
+                                                    let _e3499 = (_e3473 + 1u);
+                                                    let _e3509 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3499) * bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70)))) ^ _e70)));
+                                                    phi_6438_ = select(_e3473, _e3499, (select(select(_e2151, _e3509, (_e3509 < _e2151)), _e2151, (_e3499 == 1023u)) <= _e3230));
                                                 } else {
-                                                    phi_6186_ = _e3365;
+                                                    phi_6438_ = _e3473;
                                                 }
-                                                let _e3409 = phi_6186_;
-                                                phi_6187_ = _e3409;
+                                                let _e3517 = phi_6438_;
+                                                phi_6439_ = _e3517;
                                             } else {
-                                                phi_6187_ = _e3387;
+                                                phi_6439_ = _e3495;
                                             }
-                                            let _e3411 = phi_6187_;
-                                            let _e3415 = bitcast<f32>((bitcast<u32>((_e3350 * 0.0009775171f)) ^ _e70));
-                                            let _e3421 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3411) * _e3415)) ^ _e70)));
-                                            let _e3427 = select(_e3411, 0u, (select(select(_e2043, _e3421, (_e3421 < _e2043)), _e2043, (_e3411 == 1023u)) > _e3122));
-                                            if (_e3427 < 1023u) {
-                                                phi_6221_ = (_e3427 + 1u);
+                                            let _e3519 = phi_6439_;
+                                            let _e3523 = bitcast<f32>((bitcast<u32>((_e3458 * 0.0009775171f)) ^ _e70));
+                                            let _e3529 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3519) * _e3523)) ^ _e70)));
+                                            let _e3535 = select(_e3519, 0u, (select(select(_e2151, _e3529, (_e3529 < _e2151)), _e2151, (_e3519 == 1023u)) > _e3230));
+                                            if (_e3535 < 1023u) {
+                                                phi_6473_ = (_e3535 + 1u);
                                             } else {
-                                                phi_6221_ = _e3427;
+                                                phi_6473_ = _e3535;
                                             }
-                                            let _e3431 = phi_6221_;
-                                            let _e3437 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3427) * _e3415)) ^ _e70)));
-                                            let _e3451 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3431) * _e3415)) ^ _e70)));
-                                            let _e3469 = global_2.member[_e3105].member[3u];
-                                            let _e3474 = global_2.member[_e3105].member[4u];
-                                            let _e3479 = global_2.member[_e3105].member[5u];
-                                            if _e3124 {
-                                                phi_6298_ = (((_e3469 - _e1980) / _e3123) * 1023f);
+                                            let _e3539 = phi_6473_;
+                                            let _e3545 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3535) * _e3523)) ^ _e70)));
+                                            let _e3559 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3539) * _e3523)) ^ _e70)));
+                                            let _e3577 = global_2.member[_e3213].member[3u];
+                                            let _e3582 = global_2.member[_e3213].member[4u];
+                                            let _e3587 = global_2.member[_e3213].member[5u];
+                                            if _e3232 {
+                                                phi_6550_ = (((_e3577 - _e2088) / _e3231) * 1023f);
                                             } else {
-                                                phi_6298_ = 0f;
+                                                phi_6550_ = 0f;
                                             }
-                                            let _e3484 = phi_6298_;
-                                            let _e3486 = select(1023f, _e3484, (_e3484 < 1023f));
-                                            let _e3488 = select(0f, _e3486, (_e3486 > 0f));
-                                            let _e3493 = select(select(u32(_e3488), 0u, (_e3488 < 0f)), 4294967295u, (_e3488 > 4294967000f));
-                                            if (_e3493 > 0u) {
-                                                let _e3500 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3493) * _e3188)) ^ _e70)));
-                                                let _e3505 = (select(select(_e2017, _e3500, (_e3500 < _e2017)), _e2017, (_e3493 == 1023u)) > _e3469);
-                                                if _e3505 {
-                                                    phi_6349_ = (_e3493 - 1u);
+                                            let _e3592 = phi_6550_;
+                                            let _e3594 = select(1023f, _e3592, (_e3592 < 1023f));
+                                            let _e3596 = select(0f, _e3594, (_e3594 > 0f));
+                                            let _e3601 = select(select(u32(_e3596), 0u, (_e3596 < 0f)), 4294967295u, (_e3596 > 4294967000f));
+                                            if (_e3601 > 0u) {
+                                                let _e3608 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3601) * _e3296)) ^ _e70)));
+                                                let _e3613 = (select(select(_e2125, _e3608, (_e3608 < _e2125)), _e2125, (_e3601 == 1023u)) > _e3577);
+                                                if _e3613 {
+                                                    phi_6601_ = (_e3601 - 1u);
                                                 } else {
-                                                    phi_6349_ = u32();
+                                                    phi_6601_ = u32();
                                                 }
-                                                let _e3508 = phi_6349_;
-                                                phi_6351_ = _e3508;
-                                                phi_6352_ = select(true, false, _e3505);
+                                                let _e3616 = phi_6601_;
+                                                phi_6603_ = _e3616;
+                                                phi_6604_ = select(true, false, _e3613);
                                             } else {
-                                                phi_6351_ = u32();
-                                                phi_6352_ = true;
+                                                phi_6603_ = u32();
+                                                phi_6604_ = true;
                                             }
-                                            let _e3511 = phi_6351_;
-                                            let _e3513 = phi_6352_;
-                                            if _e3513 {
-                                                if (_e3493 < 1023u) {
-                                                    let _e3515 = (_e3493 + 1u);
-                                                    let _e3521 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3515) * _e3188)) ^ _e70)));
-                                                    phi_6390_ = select(_e3493, _e3515, (select(select(_e2017, _e3521, (_e3521 < _e2017)), _e2017, (_e3515 == 1023u)) <= _e3469));
+                                            let _e3619 = phi_6603_;
+                                            let _e3621 = phi_6604_;
+                                            if _e3621 {
+                                                if (_e3601 < 1023u) {
+                                                    let _e3623 = (_e3601 + 1u);
+                                                    let _e3629 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3623) * _e3296)) ^ _e70)));
+                                                    phi_6642_ = select(_e3601, _e3623, (select(select(_e2125, _e3629, (_e3629 < _e2125)), _e2125, (_e3623 == 1023u)) <= _e3577));
                                                 } else {
-                                                    phi_6390_ = _e3493;
+                                                    phi_6642_ = _e3601;
                                                 }
-                                                let _e3529 = phi_6390_;
-                                                phi_6391_ = _e3529;
+                                                let _e3637 = phi_6642_;
+                                                phi_6643_ = _e3637;
                                             } else {
-                                                phi_6391_ = _e3511;
+                                                phi_6643_ = _e3619;
                                             }
-                                            let _e3531 = phi_6391_;
-                                            let _e3537 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3531) * _e3188)) ^ _e70)));
-                                            let _e3543 = select(_e3531, 0u, (select(select(_e2017, _e3537, (_e3537 < _e2017)), _e2017, (_e3531 == 1023u)) > _e3469));
-                                            if (_e3543 < 1023u) {
-                                                phi_6425_ = (_e3543 + 1u);
+                                            let _e3639 = phi_6643_;
+                                            let _e3645 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3639) * _e3296)) ^ _e70)));
+                                            let _e3651 = select(_e3639, 0u, (select(select(_e2125, _e3645, (_e3645 < _e2125)), _e2125, (_e3639 == 1023u)) > _e3577));
+                                            if (_e3651 < 1023u) {
+                                                phi_6677_ = (_e3651 + 1u);
                                             } else {
-                                                phi_6425_ = _e3543;
+                                                phi_6677_ = _e3651;
                                             }
-                                            let _e3547 = phi_6425_;
-                                            let _e3553 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3543) * _e3188)) ^ _e70)));
-                                            let _e3567 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3547) * _e3188)) ^ _e70)));
-                                            if _e3236 {
-                                                phi_6494_ = (((_e3474 - _e1993) / _e3235) * 1023f);
+                                            let _e3655 = phi_6677_;
+                                            let _e3661 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3651) * _e3296)) ^ _e70)));
+                                            let _e3675 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3655) * _e3296)) ^ _e70)));
+                                            if _e3344 {
+                                                phi_6746_ = (((_e3582 - _e2101) / _e3343) * 1023f);
                                             } else {
-                                                phi_6494_ = 0f;
+                                                phi_6746_ = 0f;
                                             }
-                                            let _e3582 = phi_6494_;
-                                            let _e3584 = select(1023f, _e3582, (_e3582 < 1023f));
-                                            let _e3586 = select(0f, _e3584, (_e3584 > 0f));
-                                            let _e3591 = select(select(u32(_e3586), 0u, (_e3586 < 0f)), 4294967295u, (_e3586 > 4294967000f));
-                                            if (_e3591 > 0u) {
-                                                let _e3598 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3591) * _e3300)) ^ _e70)));
-                                                let _e3603 = (select(select(_e2030, _e3598, (_e3598 < _e2030)), _e2030, (_e3591 == 1023u)) > _e3474);
-                                                if _e3603 {
-                                                    phi_6545_ = (_e3591 - 1u);
+                                            let _e3690 = phi_6746_;
+                                            let _e3692 = select(1023f, _e3690, (_e3690 < 1023f));
+                                            let _e3694 = select(0f, _e3692, (_e3692 > 0f));
+                                            let _e3699 = select(select(u32(_e3694), 0u, (_e3694 < 0f)), 4294967295u, (_e3694 > 4294967000f));
+                                            if (_e3699 > 0u) {
+                                                let _e3706 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3699) * _e3408)) ^ _e70)));
+                                                let _e3711 = (select(select(_e2138, _e3706, (_e3706 < _e2138)), _e2138, (_e3699 == 1023u)) > _e3582);
+                                                if _e3711 {
+                                                    phi_6797_ = (_e3699 - 1u);
                                                 } else {
-                                                    phi_6545_ = u32();
+                                                    phi_6797_ = u32();
                                                 }
-                                                let _e3606 = phi_6545_;
-                                                phi_6547_ = _e3606;
-                                                phi_6548_ = select(true, false, _e3603);
+                                                let _e3714 = phi_6797_;
+                                                phi_6799_ = _e3714;
+                                                phi_6800_ = select(true, false, _e3711);
                                             } else {
-                                                phi_6547_ = u32();
-                                                phi_6548_ = true;
+                                                phi_6799_ = u32();
+                                                phi_6800_ = true;
                                             }
-                                            let _e3609 = phi_6547_;
-                                            let _e3611 = phi_6548_;
-                                            if _e3611 {
-                                                if (_e3591 < 1023u) {
-                                                    let _e3613 = (_e3591 + 1u);
-                                                    let _e3619 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3613) * _e3300)) ^ _e70)));
-                                                    phi_6586_ = select(_e3591, _e3613, (select(select(_e2030, _e3619, (_e3619 < _e2030)), _e2030, (_e3613 == 1023u)) <= _e3474));
+                                            let _e3717 = phi_6799_;
+                                            let _e3719 = phi_6800_;
+                                            if _e3719 {
+                                                if (_e3699 < 1023u) {
+                                                    let _e3721 = (_e3699 + 1u);
+                                                    let _e3727 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3721) * _e3408)) ^ _e70)));
+                                                    phi_6838_ = select(_e3699, _e3721, (select(select(_e2138, _e3727, (_e3727 < _e2138)), _e2138, (_e3721 == 1023u)) <= _e3582));
                                                 } else {
-                                                    phi_6586_ = _e3591;
+                                                    phi_6838_ = _e3699;
                                                 }
-                                                let _e3627 = phi_6586_;
-                                                phi_6587_ = _e3627;
+                                                let _e3735 = phi_6838_;
+                                                phi_6839_ = _e3735;
                                             } else {
-                                                phi_6587_ = _e3609;
+                                                phi_6839_ = _e3717;
                                             }
-                                            let _e3629 = phi_6587_;
-                                            let _e3635 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3629) * _e3300)) ^ _e70)));
-                                            let _e3641 = select(_e3629, 0u, (select(select(_e2030, _e3635, (_e3635 < _e2030)), _e2030, (_e3629 == 1023u)) > _e3474));
-                                            if (_e3641 < 1023u) {
-                                                phi_6621_ = (_e3641 + 1u);
+                                            let _e3737 = phi_6839_;
+                                            let _e3743 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3737) * _e3408)) ^ _e70)));
+                                            let _e3749 = select(_e3737, 0u, (select(select(_e2138, _e3743, (_e3743 < _e2138)), _e2138, (_e3737 == 1023u)) > _e3582));
+                                            if (_e3749 < 1023u) {
+                                                phi_6873_ = (_e3749 + 1u);
                                             } else {
-                                                phi_6621_ = _e3641;
+                                                phi_6873_ = _e3749;
                                             }
-                                            let _e3645 = phi_6621_;
-                                            let _e3651 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3641) * _e3300)) ^ _e70)));
-                                            let _e3665 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3645) * _e3300)) ^ _e70)));
-                                            if _e3351 {
-                                                phi_6692_ = (((_e3479 - _e2006) / _e3350) * 1023f);
+                                            let _e3753 = phi_6873_;
+                                            let _e3759 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3749) * _e3408)) ^ _e70)));
+                                            let _e3773 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e3753) * _e3408)) ^ _e70)));
+                                            if _e3459 {
+                                                phi_6944_ = (((_e3587 - _e2114) / _e3458) * 1023f);
                                             } else {
-                                                phi_6692_ = 0f;
+                                                phi_6944_ = 0f;
                                             }
-                                            let _e3683 = phi_6692_;
-                                            let _e3685 = select(1023f, _e3683, (_e3683 < 1023f));
-                                            let _e3687 = select(0f, _e3685, (_e3685 > 0f));
-                                            let _e3692 = select(select(u32(_e3687), 0u, (_e3687 < 0f)), 4294967295u, (_e3687 > 4294967000f));
-                                            if (_e3692 > 0u) {
-                                                let _e3699 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3692) * _e3415)) ^ _e70)));
-                                                let _e3704 = (select(select(_e2043, _e3699, (_e3699 < _e2043)), _e2043, (_e3692 == 1023u)) > _e3479);
-                                                if _e3704 {
-                                                    phi_6743_ = (_e3692 - 1u);
+                                            let _e3791 = phi_6944_;
+                                            let _e3793 = select(1023f, _e3791, (_e3791 < 1023f));
+                                            let _e3795 = select(0f, _e3793, (_e3793 > 0f));
+                                            let _e3800 = select(select(u32(_e3795), 0u, (_e3795 < 0f)), 4294967295u, (_e3795 > 4294967000f));
+                                            if (_e3800 > 0u) {
+                                                let _e3807 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3800) * _e3523)) ^ _e70)));
+                                                let _e3812 = (select(select(_e2151, _e3807, (_e3807 < _e2151)), _e2151, (_e3800 == 1023u)) > _e3587);
+                                                if _e3812 {
+                                                    phi_6995_ = (_e3800 - 1u);
                                                 } else {
-                                                    phi_6743_ = u32();
+                                                    phi_6995_ = u32();
                                                 }
-                                                let _e3707 = phi_6743_;
-                                                phi_6745_ = _e3707;
-                                                phi_6746_ = select(true, false, _e3704);
+                                                let _e3815 = phi_6995_;
+                                                phi_6997_ = _e3815;
+                                                phi_6998_ = select(true, false, _e3812);
                                             } else {
-                                                phi_6745_ = u32();
-                                                phi_6746_ = true;
+                                                phi_6997_ = u32();
+                                                phi_6998_ = true;
                                             }
-                                            let _e3710 = phi_6745_;
-                                            let _e3712 = phi_6746_;
-                                            if _e3712 {
-                                                if (_e3692 < 1023u) {
-                                                    let _e3714 = (_e3692 + 1u);
-                                                    let _e3720 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3714) * _e3415)) ^ _e70)));
-                                                    phi_6784_ = select(_e3692, _e3714, (select(select(_e2043, _e3720, (_e3720 < _e2043)), _e2043, (_e3714 == 1023u)) <= _e3479));
+                                            let _e3818 = phi_6997_;
+                                            let _e3820 = phi_6998_;
+                                            if _e3820 {
+                                                if (_e3800 < 1023u) {
+                                                    let _e3822 = (_e3800 + 1u);
+                                                    let _e3828 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3822) * _e3523)) ^ _e70)));
+                                                    phi_7036_ = select(_e3800, _e3822, (select(select(_e2151, _e3828, (_e3828 < _e2151)), _e2151, (_e3822 == 1023u)) <= _e3587));
                                                 } else {
-                                                    phi_6784_ = _e3692;
+                                                    phi_7036_ = _e3800;
                                                 }
-                                                let _e3728 = phi_6784_;
-                                                phi_6785_ = _e3728;
+                                                let _e3836 = phi_7036_;
+                                                phi_7037_ = _e3836;
                                             } else {
-                                                phi_6785_ = _e3710;
+                                                phi_7037_ = _e3818;
                                             }
-                                            let _e3730 = phi_6785_;
-                                            let _e3736 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3730) * _e3415)) ^ _e70)));
-                                            let _e3742 = select(_e3730, 0u, (select(select(_e2043, _e3736, (_e3736 < _e2043)), _e2043, (_e3730 == 1023u)) > _e3479));
-                                            if (_e3742 < 1023u) {
-                                                phi_6819_ = (_e3742 + 1u);
+                                            let _e3838 = phi_7037_;
+                                            let _e3844 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3838) * _e3523)) ^ _e70)));
+                                            let _e3850 = select(_e3838, 0u, (select(select(_e2151, _e3844, (_e3844 < _e2151)), _e2151, (_e3838 == 1023u)) > _e3587));
+                                            if (_e3850 < 1023u) {
+                                                phi_7071_ = (_e3850 + 1u);
                                             } else {
-                                                phi_6819_ = _e3742;
+                                                phi_7071_ = _e3850;
                                             }
-                                            let _e3746 = phi_6819_;
-                                            let _e3752 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3742) * _e3415)) ^ _e70)));
-                                            let _e3766 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e3746) * _e3415)) ^ _e70)));
-                                            let _e3784 = global_2.member[_e3105].member[6u];
-                                            let _e3789 = global_2.member[_e3105].member[7u];
-                                            let _e3794 = global_2.member[_e3105].member[8u];
-                                            if _e3124 {
-                                                phi_6896_ = (((_e3784 - _e1980) / _e3123) * 1023f);
+                                            let _e3854 = phi_7071_;
+                                            let _e3860 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3850) * _e3523)) ^ _e70)));
+                                            let _e3874 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e3854) * _e3523)) ^ _e70)));
+                                            let _e3892 = global_2.member[_e3213].member[6u];
+                                            let _e3897 = global_2.member[_e3213].member[7u];
+                                            let _e3902 = global_2.member[_e3213].member[8u];
+                                            if _e3232 {
+                                                phi_7148_ = (((_e3892 - _e2088) / _e3231) * 1023f);
                                             } else {
-                                                phi_6896_ = 0f;
+                                                phi_7148_ = 0f;
                                             }
-                                            let _e3799 = phi_6896_;
-                                            let _e3801 = select(1023f, _e3799, (_e3799 < 1023f));
-                                            let _e3803 = select(0f, _e3801, (_e3801 > 0f));
-                                            let _e3808 = select(select(u32(_e3803), 0u, (_e3803 < 0f)), 4294967295u, (_e3803 > 4294967000f));
-                                            if (_e3808 > 0u) {
-                                                let _e3815 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3808) * _e3188)) ^ _e70)));
-                                                let _e3820 = (select(select(_e2017, _e3815, (_e3815 < _e2017)), _e2017, (_e3808 == 1023u)) > _e3784);
-                                                if _e3820 {
-                                                    phi_6947_ = (_e3808 - 1u);
+                                            let _e3907 = phi_7148_;
+                                            let _e3909 = select(1023f, _e3907, (_e3907 < 1023f));
+                                            let _e3911 = select(0f, _e3909, (_e3909 > 0f));
+                                            let _e3916 = select(select(u32(_e3911), 0u, (_e3911 < 0f)), 4294967295u, (_e3911 > 4294967000f));
+                                            if (_e3916 > 0u) {
+                                                let _e3923 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3916) * _e3296)) ^ _e70)));
+                                                let _e3928 = (select(select(_e2125, _e3923, (_e3923 < _e2125)), _e2125, (_e3916 == 1023u)) > _e3892);
+                                                if _e3928 {
+                                                    phi_7199_ = (_e3916 - 1u);
                                                 } else {
-                                                    phi_6947_ = u32();
+                                                    phi_7199_ = u32();
                                                 }
-                                                let _e3823 = phi_6947_;
-                                                phi_6949_ = _e3823;
-                                                phi_6950_ = select(true, false, _e3820);
+                                                let _e3931 = phi_7199_;
+                                                phi_7201_ = _e3931;
+                                                phi_7202_ = select(true, false, _e3928);
                                             } else {
-                                                phi_6949_ = u32();
-                                                phi_6950_ = true;
+                                                phi_7201_ = u32();
+                                                phi_7202_ = true;
                                             }
-                                            let _e3826 = phi_6949_;
-                                            let _e3828 = phi_6950_;
-                                            if _e3828 {
-                                                if (_e3808 < 1023u) {
-                                                    let _e3830 = (_e3808 + 1u);
-                                                    let _e3836 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3830) * _e3188)) ^ _e70)));
-                                                    phi_6988_ = select(_e3808, _e3830, (select(select(_e2017, _e3836, (_e3836 < _e2017)), _e2017, (_e3830 == 1023u)) <= _e3784));
+                                            let _e3934 = phi_7201_;
+                                            let _e3936 = phi_7202_;
+                                            if _e3936 {
+                                                if (_e3916 < 1023u) {
+                                                    let _e3938 = (_e3916 + 1u);
+                                                    let _e3944 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3938) * _e3296)) ^ _e70)));
+                                                    phi_7240_ = select(_e3916, _e3938, (select(select(_e2125, _e3944, (_e3944 < _e2125)), _e2125, (_e3938 == 1023u)) <= _e3892));
                                                 } else {
-                                                    phi_6988_ = _e3808;
+                                                    phi_7240_ = _e3916;
                                                 }
-                                                let _e3844 = phi_6988_;
-                                                phi_6989_ = _e3844;
+                                                let _e3952 = phi_7240_;
+                                                phi_7241_ = _e3952;
                                             } else {
-                                                phi_6989_ = _e3826;
+                                                phi_7241_ = _e3934;
                                             }
-                                            let _e3846 = phi_6989_;
-                                            let _e3852 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3846) * _e3188)) ^ _e70)));
-                                            let _e3858 = select(_e3846, 0u, (select(select(_e2017, _e3852, (_e3852 < _e2017)), _e2017, (_e3846 == 1023u)) > _e3784));
-                                            if (_e3858 < 1023u) {
-                                                phi_7023_ = (_e3858 + 1u);
+                                            let _e3954 = phi_7241_;
+                                            let _e3960 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3954) * _e3296)) ^ _e70)));
+                                            let _e3966 = select(_e3954, 0u, (select(select(_e2125, _e3960, (_e3960 < _e2125)), _e2125, (_e3954 == 1023u)) > _e3892));
+                                            if (_e3966 < 1023u) {
+                                                phi_7275_ = (_e3966 + 1u);
                                             } else {
-                                                phi_7023_ = _e3858;
+                                                phi_7275_ = _e3966;
                                             }
-                                            let _e3862 = phi_7023_;
-                                            let _e3868 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3858) * _e3188)) ^ _e70)));
-                                            let _e3882 = (_e1980 + bitcast<f32>((bitcast<u32>((f32(_e3862) * _e3188)) ^ _e70)));
-                                            if _e3236 {
-                                                phi_7092_ = (((_e3789 - _e1993) / _e3235) * 1023f);
+                                            let _e3970 = phi_7275_;
+                                            let _e3976 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3966) * _e3296)) ^ _e70)));
+                                            let _e3990 = (_e2088 + bitcast<f32>((bitcast<u32>((f32(_e3970) * _e3296)) ^ _e70)));
+                                            if _e3344 {
+                                                phi_7344_ = (((_e3897 - _e2101) / _e3343) * 1023f);
                                             } else {
-                                                phi_7092_ = 0f;
+                                                phi_7344_ = 0f;
                                             }
-                                            let _e3897 = phi_7092_;
-                                            let _e3899 = select(1023f, _e3897, (_e3897 < 1023f));
-                                            let _e3901 = select(0f, _e3899, (_e3899 > 0f));
-                                            let _e3906 = select(select(u32(_e3901), 0u, (_e3901 < 0f)), 4294967295u, (_e3901 > 4294967000f));
-                                            if (_e3906 > 0u) {
-                                                let _e3913 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3906) * _e3300)) ^ _e70)));
-                                                let _e3918 = (select(select(_e2030, _e3913, (_e3913 < _e2030)), _e2030, (_e3906 == 1023u)) > _e3789);
-                                                if _e3918 {
-                                                    phi_7143_ = (_e3906 - 1u);
+                                            let _e4005 = phi_7344_;
+                                            let _e4007 = select(1023f, _e4005, (_e4005 < 1023f));
+                                            let _e4009 = select(0f, _e4007, (_e4007 > 0f));
+                                            let _e4014 = select(select(u32(_e4009), 0u, (_e4009 < 0f)), 4294967295u, (_e4009 > 4294967000f));
+                                            if (_e4014 > 0u) {
+                                                let _e4021 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4014) * _e3408)) ^ _e70)));
+                                                let _e4026 = (select(select(_e2138, _e4021, (_e4021 < _e2138)), _e2138, (_e4014 == 1023u)) > _e3897);
+                                                if _e4026 {
+                                                    phi_7395_ = (_e4014 - 1u);
                                                 } else {
-                                                    phi_7143_ = u32();
+                                                    phi_7395_ = u32();
                                                 }
-                                                let _e3921 = phi_7143_;
-                                                phi_7145_ = _e3921;
-                                                phi_7146_ = select(true, false, _e3918);
+                                                let _e4029 = phi_7395_;
+                                                phi_7397_ = _e4029;
+                                                phi_7398_ = select(true, false, _e4026);
                                             } else {
-                                                phi_7145_ = u32();
-                                                phi_7146_ = true;
+                                                phi_7397_ = u32();
+                                                phi_7398_ = true;
                                             }
-                                            let _e3924 = phi_7145_;
-                                            let _e3926 = phi_7146_;
-                                            if _e3926 {
-                                                if (_e3906 < 1023u) {
-                                                    let _e3928 = (_e3906 + 1u);
-                                                    let _e3934 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3928) * _e3300)) ^ _e70)));
-                                                    phi_7184_ = select(_e3906, _e3928, (select(select(_e2030, _e3934, (_e3934 < _e2030)), _e2030, (_e3928 == 1023u)) <= _e3789));
+                                            let _e4032 = phi_7397_;
+                                            let _e4034 = phi_7398_;
+                                            if _e4034 {
+                                                if (_e4014 < 1023u) {
+                                                    let _e4036 = (_e4014 + 1u);
+                                                    let _e4042 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4036) * _e3408)) ^ _e70)));
+                                                    phi_7436_ = select(_e4014, _e4036, (select(select(_e2138, _e4042, (_e4042 < _e2138)), _e2138, (_e4036 == 1023u)) <= _e3897));
                                                 } else {
-                                                    phi_7184_ = _e3906;
+                                                    phi_7436_ = _e4014;
                                                 }
-                                                let _e3942 = phi_7184_;
-                                                phi_7185_ = _e3942;
+                                                let _e4050 = phi_7436_;
+                                                phi_7437_ = _e4050;
                                             } else {
-                                                phi_7185_ = _e3924;
+                                                phi_7437_ = _e4032;
                                             }
-                                            let _e3944 = phi_7185_;
-                                            let _e3950 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3944) * _e3300)) ^ _e70)));
-                                            let _e3956 = select(_e3944, 0u, (select(select(_e2030, _e3950, (_e3950 < _e2030)), _e2030, (_e3944 == 1023u)) > _e3789));
-                                            if (_e3956 < 1023u) {
-                                                phi_7219_ = (_e3956 + 1u);
+                                            let _e4052 = phi_7437_;
+                                            let _e4058 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4052) * _e3408)) ^ _e70)));
+                                            let _e4064 = select(_e4052, 0u, (select(select(_e2138, _e4058, (_e4058 < _e2138)), _e2138, (_e4052 == 1023u)) > _e3897));
+                                            if (_e4064 < 1023u) {
+                                                phi_7471_ = (_e4064 + 1u);
                                             } else {
-                                                phi_7219_ = _e3956;
+                                                phi_7471_ = _e4064;
                                             }
-                                            let _e3960 = phi_7219_;
-                                            let _e3966 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3956) * _e3300)) ^ _e70)));
-                                            let _e3980 = (_e1993 + bitcast<f32>((bitcast<u32>((f32(_e3960) * _e3300)) ^ _e70)));
-                                            if _e3351 {
-                                                phi_7290_ = (((_e3794 - _e2006) / _e3350) * 1023f);
+                                            let _e4068 = phi_7471_;
+                                            let _e4074 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4064) * _e3408)) ^ _e70)));
+                                            let _e4088 = (_e2101 + bitcast<f32>((bitcast<u32>((f32(_e4068) * _e3408)) ^ _e70)));
+                                            if _e3459 {
+                                                phi_7542_ = (((_e3902 - _e2114) / _e3458) * 1023f);
                                             } else {
-                                                phi_7290_ = 0f;
+                                                phi_7542_ = 0f;
                                             }
-                                            let _e3998 = phi_7290_;
-                                            let _e4000 = select(1023f, _e3998, (_e3998 < 1023f));
-                                            let _e4002 = select(0f, _e4000, (_e4000 > 0f));
-                                            let _e4007 = select(select(u32(_e4002), 0u, (_e4002 < 0f)), 4294967295u, (_e4002 > 4294967000f));
-                                            if (_e4007 > 0u) {
-                                                let _e4014 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e4007) * _e3415)) ^ _e70)));
-                                                let _e4019 = (select(select(_e2043, _e4014, (_e4014 < _e2043)), _e2043, (_e4007 == 1023u)) > _e3794);
-                                                if _e4019 {
-                                                    phi_7341_ = (_e4007 - 1u);
+                                            let _e4106 = phi_7542_;
+                                            let _e4108 = select(1023f, _e4106, (_e4106 < 1023f));
+                                            let _e4110 = select(0f, _e4108, (_e4108 > 0f));
+                                            let _e4115 = select(select(u32(_e4110), 0u, (_e4110 < 0f)), 4294967295u, (_e4110 > 4294967000f));
+                                            if (_e4115 > 0u) {
+                                                let _e4122 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4115) * _e3523)) ^ _e70)));
+                                                let _e4127 = (select(select(_e2151, _e4122, (_e4122 < _e2151)), _e2151, (_e4115 == 1023u)) > _e3902);
+                                                if _e4127 {
+                                                    phi_7593_ = (_e4115 - 1u);
                                                 } else {
-                                                    phi_7341_ = u32();
+                                                    phi_7593_ = u32();
                                                 }
-                                                let _e4022 = phi_7341_;
-                                                phi_7343_ = _e4022;
-                                                phi_7344_ = select(true, false, _e4019);
+                                                let _e4130 = phi_7593_;
+                                                phi_7595_ = _e4130;
+                                                phi_7596_ = select(true, false, _e4127);
                                             } else {
-                                                phi_7343_ = u32();
-                                                phi_7344_ = true;
+                                                phi_7595_ = u32();
+                                                phi_7596_ = true;
                                             }
-                                            let _e4025 = phi_7343_;
-                                            let _e4027 = phi_7344_;
-                                            if _e4027 {
-                                                if (_e4007 < 1023u) {
-                                                    let _e4029 = (_e4007 + 1u);
-                                                    let _e4035 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e4029) * _e3415)) ^ _e70)));
-                                                    phi_7382_ = select(_e4007, _e4029, (select(select(_e2043, _e4035, (_e4035 < _e2043)), _e2043, (_e4029 == 1023u)) <= _e3794));
+                                            let _e4133 = phi_7595_;
+                                            let _e4135 = phi_7596_;
+                                            if _e4135 {
+                                                if (_e4115 < 1023u) {
+                                                    let _e4137 = (_e4115 + 1u);
+                                                    let _e4143 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4137) * _e3523)) ^ _e70)));
+                                                    phi_7634_ = select(_e4115, _e4137, (select(select(_e2151, _e4143, (_e4143 < _e2151)), _e2151, (_e4137 == 1023u)) <= _e3902));
                                                 } else {
-                                                    phi_7382_ = _e4007;
+                                                    phi_7634_ = _e4115;
                                                 }
-                                                let _e4043 = phi_7382_;
-                                                phi_7383_ = _e4043;
+                                                let _e4151 = phi_7634_;
+                                                phi_7635_ = _e4151;
                                             } else {
-                                                phi_7383_ = _e4025;
+                                                phi_7635_ = _e4133;
                                             }
-                                            let _e4045 = phi_7383_;
-                                            let _e4051 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e4045) * _e3415)) ^ _e70)));
-                                            let _e4057 = select(_e4045, 0u, (select(select(_e2043, _e4051, (_e4051 < _e2043)), _e2043, (_e4045 == 1023u)) > _e3794));
-                                            if (_e4057 < 1023u) {
-                                                phi_7417_ = (_e4057 + 1u);
+                                            let _e4153 = phi_7635_;
+                                            let _e4159 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4153) * _e3523)) ^ _e70)));
+                                            let _e4165 = select(_e4153, 0u, (select(select(_e2151, _e4159, (_e4159 < _e2151)), _e2151, (_e4153 == 1023u)) > _e3902));
+                                            if (_e4165 < 1023u) {
+                                                phi_7669_ = (_e4165 + 1u);
                                             } else {
-                                                phi_7417_ = _e4057;
+                                                phi_7669_ = _e4165;
                                             }
-                                            let _e4061 = phi_7417_;
-                                            let _e4067 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e4057) * _e3415)) ^ _e70)));
-                                            let _e4081 = (_e2006 + bitcast<f32>((bitcast<u32>((f32(_e4061) * _e3415)) ^ _e70)));
-                                            let _e4099 = global_2.member[_e3105].member_1;
-                                            if _e3107 {
+                                            let _e4169 = phi_7669_;
+                                            let _e4175 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4165) * _e3523)) ^ _e70)));
+                                            let _e4189 = (_e2114 + bitcast<f32>((bitcast<u32>((f32(_e4169) * _e3523)) ^ _e70)));
+                                            let _e4207 = global_2.member[_e3213].member_1;
+                                            if _e3215 {
                                             } else {
-                                                phi_8097_ = true;
+                                                phi_8376_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e3105] = type_43(array<u32, 3>(((select(_e3200, _e3204, (bitcast<f32>((bitcast<u32>((select(select(_e2017, _e3224, (_e3224 < _e2017)), _e2017, (_e3204 == 1023u)) - _e3112)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3112 - select(select(_e2017, _e3210, (_e3210 < _e2017)), _e2017, (_e3200 == 1023u)))) & 2147483647u)))) | (select(_e3312, _e3316, (bitcast<f32>((bitcast<u32>((select(select(_e2030, _e3336, (_e3336 < _e2030)), _e2030, (_e3316 == 1023u)) - _e3117)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3117 - select(select(_e2030, _e3322, (_e3322 < _e2030)), _e2030, (_e3312 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3427, _e3431, (bitcast<f32>((bitcast<u32>((select(select(_e2043, _e3451, (_e3451 < _e2043)), _e2043, (_e3431 == 1023u)) - _e3122)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3122 - select(select(_e2043, _e3437, (_e3437 < _e2043)), _e2043, (_e3427 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3543, _e3547, (bitcast<f32>((bitcast<u32>((select(select(_e2017, _e3567, (_e3567 < _e2017)), _e2017, (_e3547 == 1023u)) - _e3469)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3469 - select(select(_e2017, _e3553, (_e3553 < _e2017)), _e2017, (_e3543 == 1023u)))) & 2147483647u)))) | (select(_e3641, _e3645, (bitcast<f32>((bitcast<u32>((select(select(_e2030, _e3665, (_e3665 < _e2030)), _e2030, (_e3645 == 1023u)) - _e3474)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3474 - select(select(_e2030, _e3651, (_e3651 < _e2030)), _e2030, (_e3641 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3742, _e3746, (bitcast<f32>((bitcast<u32>((select(select(_e2043, _e3766, (_e3766 < _e2043)), _e2043, (_e3746 == 1023u)) - _e3479)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3479 - select(select(_e2043, _e3752, (_e3752 < _e2043)), _e2043, (_e3742 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3858, _e3862, (bitcast<f32>((bitcast<u32>((select(select(_e2017, _e3882, (_e3882 < _e2017)), _e2017, (_e3862 == 1023u)) - _e3784)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3784 - select(select(_e2017, _e3868, (_e3868 < _e2017)), _e2017, (_e3858 == 1023u)))) & 2147483647u)))) | (select(_e3956, _e3960, (bitcast<f32>((bitcast<u32>((select(select(_e2030, _e3980, (_e3980 < _e2030)), _e2030, (_e3960 == 1023u)) - _e3789)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3789 - select(select(_e2030, _e3966, (_e3966 < _e2030)), _e2030, (_e3956 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e4057, _e4061, (bitcast<f32>((bitcast<u32>((select(select(_e2043, _e4081, (_e4081 < _e2043)), _e2043, (_e4061 == 1023u)) - _e3794)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3794 - select(select(_e2043, _e4067, (_e4067 < _e2043)), _e2043, (_e4057 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e4099);
+                                            global_6.member[_e3213] = type_43(array<u32, 3>(((select(_e3308, _e3312, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3332, (_e3332 < _e2125)), _e2125, (_e3312 == 1023u)) - _e3220)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3220 - select(select(_e2125, _e3318, (_e3318 < _e2125)), _e2125, (_e3308 == 1023u)))) & 2147483647u)))) | (select(_e3420, _e3424, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e3444, (_e3444 < _e2138)), _e2138, (_e3424 == 1023u)) - _e3225)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3225 - select(select(_e2138, _e3430, (_e3430 < _e2138)), _e2138, (_e3420 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3535, _e3539, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e3559, (_e3559 < _e2151)), _e2151, (_e3539 == 1023u)) - _e3230)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3230 - select(select(_e2151, _e3545, (_e3545 < _e2151)), _e2151, (_e3535 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3651, _e3655, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3675, (_e3675 < _e2125)), _e2125, (_e3655 == 1023u)) - _e3577)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3577 - select(select(_e2125, _e3661, (_e3661 < _e2125)), _e2125, (_e3651 == 1023u)))) & 2147483647u)))) | (select(_e3749, _e3753, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e3773, (_e3773 < _e2138)), _e2138, (_e3753 == 1023u)) - _e3582)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3582 - select(select(_e2138, _e3759, (_e3759 < _e2138)), _e2138, (_e3749 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e3850, _e3854, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e3874, (_e3874 < _e2151)), _e2151, (_e3854 == 1023u)) - _e3587)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3587 - select(select(_e2151, _e3860, (_e3860 < _e2151)), _e2151, (_e3850 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i))), ((select(_e3966, _e3970, (bitcast<f32>((bitcast<u32>((select(select(_e2125, _e3990, (_e3990 < _e2125)), _e2125, (_e3970 == 1023u)) - _e3892)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3892 - select(select(_e2125, _e3976, (_e3976 < _e2125)), _e2125, (_e3966 == 1023u)))) & 2147483647u)))) | (select(_e4064, _e4068, (bitcast<f32>((bitcast<u32>((select(select(_e2138, _e4088, (_e4088 < _e2138)), _e2138, (_e4068 == 1023u)) - _e3897)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3897 - select(select(_e2138, _e4074, (_e4074 < _e2138)), _e2138, (_e4064 == 1023u)))) & 2147483647u)))) << bitcast<u32>(10i))) | (select(_e4165, _e4169, (bitcast<f32>((bitcast<u32>((select(select(_e2151, _e4189, (_e4189 < _e2151)), _e2151, (_e4169 == 1023u)) - _e3902)) & 2147483647u)) < bitcast<f32>((bitcast<u32>((_e3902 - select(select(_e2151, _e4175, (_e4175 < _e2151)), _e2151, (_e4165 == 1023u)))) & 2147483647u)))) << bitcast<u32>(20i)))), _e4207);
                                         }
                                     }
                                 }
                                 continue;
                                 continuing {
-                                    phi_5637_ = _e3097;
-                                    phi_8097_ = _e3076;
-                                    break if !(_e3103);
+                                    phi_5889_ = _e3205;
+                                    phi_8376_ = _e3184;
+                                    break if !(_e3211);
                                 }
                             }
-                            let _e4105 = phi_8097_;
-                            if _e4105 {
+                            let _e4213 = phi_8376_;
+                            if _e4213 {
                                 break;
                             }
                         }
@@ -2559,7 +2577,7 @@ fn function_() {
                                 } else {
                                     break;
                                 }
-                                global_7.member[0u] = type_32(array<u32, 4>(bitcast<u32>(_e922.member[0]), bitcast<u32>(_e922.member[1]), bitcast<u32>(_e922.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e925.member_1[0]), bitcast<u32>(_e925.member_1[1]), bitcast<u32>(_e925.member_1[2]), 0u));
+                                global_7.member[0u] = type_32(array<u32, 4>(bitcast<u32>(_e958.member[0]), bitcast<u32>(_e958.member[1]), bitcast<u32>(_e958.member[2]), 0u), array<u32, 4>(bitcast<u32>(_e961.member_1[0]), bitcast<u32>(_e961.member_1[1]), bitcast<u32>(_e961.member_1[2]), 0u));
                             }
                         }
                     }

@@ -14,6 +14,9 @@ pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 mod mesh;
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod options;
 #[cfg(feature = "stress")]
 pub mod oracle;
 mod picture;

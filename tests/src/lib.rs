@@ -1,9 +1,11 @@
 //! Generators and oracles for the tests of slimbvh.
 //!
 //! Meshes and rays come as proptest [`strategies`] and as [`closed`] solids for stress; answers are compared with those of
-//! an [`oracle`]; [`validate`] walks a tree; [`parity`] is what the [`gpu`] and the CPU must have.
+//! an [`oracle`]; [`validate`] walks a tree; [`parity`] is what the GPU and the CPU must have; [`fuzz`] checks any bytes.
 
 pub mod closed;
+pub mod fuzz;
+#[cfg(feature = "gpu")]
 pub mod gpu;
 pub mod oracle;
 pub mod parity;

@@ -104,10 +104,16 @@ fn number_below(x: f32, low: f32, high: f32, zero: u32) -> u32 {
 #[inline(always)]
 fn number_above(x: f32, low: f32, high: f32, zero: u32) -> u32 {
     let below = number_below(x, low, high, zero);
-    if below < LAST && decode(below, low, high, zero) < x {
+    let number = if below < LAST && decode(below, low, high, zero) < x {
         below + 1
     } else {
         below
+    };
+    // Cells may underflow to nothing.
+    if decode(number, low, high, zero) < x {
+        LAST
+    } else {
+        number
     }
 }
 
@@ -449,6 +455,16 @@ mod tests {
                     prop_assert!(f64::from(decoded.max[axis]) - f64::from(exact.max[axis]) <= cell);
                 }
             }
+        }
+
+        #[test]
+        fn cells_that_underflow_are_outside_too(ends in proptest::array::uniform4(-3000i32..3000)) {
+            let [a, b, c, d] = ends.map(|steps| steps as f32 * f32::from_bits(1));
+            let bounds = |a: f32, b: f32| PrintedBox { min: [a.min(b); 3], max: [a.max(b); 3] };
+            let child = bounds(a, b);
+            let parent = bounds(c.min(child.min[0]), d.max(child.max[0]));
+            let decoded = printed_child(&parent, &child, 0);
+            prop_assert!(contains(&decoded, &child) && contains(&parent, &decoded), "{decoded:?} {child:?} {parent:?}");
         }
 
         #[test]

@@ -6,7 +6,6 @@ mod animate;
 mod backend;
 mod build;
 mod info;
-mod options;
 mod output;
 mod picture;
 mod reduce;
@@ -17,6 +16,7 @@ mod stress;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
+use slimbvh::options;
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{Aabb, Bvh, Scene};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! What a picture is to be like, and the scene made ready for it.
 
-use super::options::{self, CameraOption};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
+use slimbvh::options::{self, CameraOption};
 use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, View};
 
 /// How large a picture is, from where it is seen, and in what light.

@@ -4,6 +4,7 @@ use super::output::bytes;
 use super::reduce::ReduceArguments;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
+use slimbvh::options;
 use slimbvh::{
     BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene,
     Tolerance,
@@ -23,7 +24,7 @@ pub struct StorageArguments {
 
     /// How far vertices may move onto the lattice: a length, or pixels at the scene's nearest point, as in 0.5px. Without it
     /// as little as floats can tell
-    #[arg(long, value_name = "LENGTH|Npx", value_parser = tolerance)]
+    #[arg(long, value_name = "LENGTH|Npx", value_parser = options::tolerance)]
     tolerance: Option<Tolerance>,
 }
 
@@ -290,20 +291,5 @@ impl Nodes {
             Self::Q21 => LatticeBits::Q21,
         };
         Some(NodeCodec::Lattice(bits))
-    }
-}
-
-fn tolerance(text: &str) -> Result<Tolerance, String> {
-    let (number, is_pixels) = match text.strip_suffix("px") {
-        Some(number) => (number, true),
-        None => (text, false),
-    };
-    match number.trim().parse::<f32>() {
-        Ok(number) if number > 0.0 && number.is_finite() => Ok(if is_pixels {
-            Tolerance::Pixels(number)
-        } else {
-            Tolerance::Length(number)
-        }),
-        _ => Err("it must be a length above 0, or pixels as in 0.5px".into()),
     }
 }

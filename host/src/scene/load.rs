@@ -38,8 +38,32 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
         file: path.display().to_string(),
         options,
     };
-    let (format, read) = reader(&source)?;
+    let reader = reader(&source)?;
     let bytes = read_file(path, options.max_file_bytes)?;
+    parse(source, reader, bytes)
+}
+
+/// [`load`] for a file that is in memory already. The path tells the format, and where other files are that the scene names;
+/// nothing need be there.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene, LoadError> {
+    let source = Source {
+        path,
+        file: path.display().to_string(),
+        options,
+    };
+    let reader = reader(&source)?;
+    parse(source, reader, bytes)
+}
+
+/// Reads with one of the readers, and checks what it returns.
+fn parse(
+    source: Source<'_>,
+    (format, read): (&'static str, Reader),
+    bytes: Vec<u8>,
+) -> Result<Scene, LoadError> {
     match contain(|| read(&source, bytes)) {
         Ok(scene) => finish(scene?, &source),
         Err(message) => Err(LoadError::Panicked {

@@ -34,7 +34,7 @@ pub use gltf::GltfError;
 #[cfg(feature = "scenes")]
 pub(crate) use load::read_file;
 #[cfg(feature = "scenes")]
-pub use load::{LoadOptions, load};
+pub use load::{LoadOptions, load, load_bytes};
 
 pub use frustum::frustum;
 pub use target::{camera_target, light_target};

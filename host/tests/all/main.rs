@@ -7,6 +7,8 @@ mod golden;
 mod good_output;
 #[cfg(feature = "gpu")]
 mod gpu;
+#[cfg(target_os = "linux")]
+mod interrupted;
 mod process;
 mod reduce;
 mod shading_is_right;

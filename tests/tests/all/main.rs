@@ -6,6 +6,8 @@ mod codecs;
 mod decisions;
 mod deepest_trees;
 mod exact;
+mod faults;
+mod fuzz_seeds;
 mod gpu;
 mod meshes;
 mod negative_controls;

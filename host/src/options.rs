@@ -1,10 +1,10 @@
-//! Values of options that have parts.
+//! Values of the binary's options that have parts, where fuzzers reach them.
 
 mod light;
 
 pub use light::light;
 
-use slimbvh::{Camera, Projection};
+use crate::{Camera, Projection, Tolerance};
 use std::str::FromStr;
 
 /// Parses `WIDTHxHEIGHT`.
@@ -44,6 +44,22 @@ pub fn share(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
         _ => Err("it must be a number from 0 to 1".into()),
+    }
+}
+
+/// Parses a length above 0, or pixels as in `0.5px`.
+pub fn tolerance(text: &str) -> Result<Tolerance, String> {
+    let (number, is_pixels) = match text.strip_suffix("px") {
+        Some(number) => (number, true),
+        None => (text, false),
+    };
+    match number.trim().parse::<f32>() {
+        Ok(number) if number > 0.0 && number.is_finite() => Ok(if is_pixels {
+            Tolerance::Pixels(number)
+        } else {
+            Tolerance::Length(number)
+        }),
+        _ => Err("it must be a length above 0, or pixels as in 0.5px".into()),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The value of `--light`.
 
 use super::{number, pairs, vector};
-use slimbvh::{AreaShape, Light};
+use crate::{AreaShape, Light};
 
 const KINDS: &str = "give one of sun=X,Y,Z, where its light goes, or point=X,Y,Z, disc=X,Y,Z, rectangle=X,Y,Z, where \
     it is";

@@ -1,0 +1,37 @@
+//! What each fuzz target checks of any bytes at all. The targets in `fuzz/` and the test that replays the seeds call the same
+//! functions; all panic where a law does not hold.
+
+mod build_and_trace;
+mod classification;
+mod input;
+mod loaders;
+mod node_codec;
+mod options;
+mod saved_file;
+mod triangle_codec;
+
+pub use build_and_trace::build_and_trace;
+pub use classification::classification;
+pub use loaders::{load_gltf, load_obj, load_off, load_ply, load_stl};
+pub use node_codec::node_codec;
+pub use options::options;
+pub use saved_file::saved_file;
+pub use triangle_codec::triangle_codec;
+
+/// What a target does with some bytes.
+pub type Check = fn(&[u8]);
+
+/// All targets, by the names that they have in `fuzz/`.
+pub const TARGETS: [(&str, Check); 11] = [
+    ("build_and_trace", build_and_trace),
+    ("classification", classification),
+    ("load_gltf", load_gltf),
+    ("load_obj", load_obj),
+    ("load_off", load_off),
+    ("load_ply", load_ply),
+    ("load_stl", load_stl),
+    ("node_codec", node_codec),
+    ("options", options),
+    ("saved_file", saved_file),
+    ("triangle_codec", triangle_codec),
+];

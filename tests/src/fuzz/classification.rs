@@ -1,0 +1,135 @@
+//! Any triangle and any target: what classification leaves out certainly faces away, by arithmetic without rounding, and 32
+//! triangles together say what each says.
+
+use super::input::{any, below_one};
+use arbitrary::Arbitrary;
+use glam::Vec3;
+use slimbvh::oracle::ExactSum;
+use slimbvh_core::classify::{Reach, Sides, faces, is_in_set, word_of_set};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::frustum::Frustum;
+use slimbvh_core::orientation::{Orientation, Target};
+use slimbvh_core::{IndexedTriangles, Triangle};
+
+/// Targets are at most two to this power away, in a scene of magnitude 1: products of a tiny edge with so long a way lose no
+/// more to underflow than the bound allows for.
+const FARTHEST: i32 = 20;
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    vertices: [[u32; 3]; 3],
+    point: [u32; 3],
+    radius: u32,
+    kind: u8,
+    distance: u8,
+    bend: u8,
+    others: Vec<([u8; 3], u8)>,
+    sides: [i8; 4],
+}
+
+/// See the module.
+///
+/// # Panics
+/// If something is left out that may be hit.
+pub fn classification(data: &[u8]) {
+    let Some(input) = any::<Input>(data) else {
+        return;
+    };
+    let vertices = input.vertices.map(|v| v.map(below_one));
+    let target = target(&input, &vertices);
+    let triangle = Triangle {
+        v0: Vec3::from(vertices[0]),
+        v1: Vec3::from(vertices[1]),
+        v2: Vec3::from(vertices[2]),
+    };
+    let orientation = Orientation::new(&triangle, &target);
+    for side in [1, -1] {
+        let is_certain = orientation.is_certainly_on(side as f32);
+        assert_eq!(faces(&triangle, -side, &target), !is_certain);
+        if is_certain {
+            let is_right = is_exactly_on(side, &vertices, &target);
+            assert!(is_right, "{side} {orientation:?} {triangle:?} {target:?}");
+        }
+    }
+    assert!(faces(&triangle, 0, &target));
+    together(&input, &vertices, target);
+}
+
+/// Where most doubt is: in the triangle's plane, or beside it by few steps of the float grid.
+fn target(input: &Input, [a, b, c]: &[[f32; 3]; 3]) -> Target {
+    let scale = 2f32.powi(i32::from(input.distance) % (FARTHEST + 1));
+    let anywhere = input.point.map(|bits| below_one(bits) * scale);
+    let weights = anywhere.map(|x| x - x.trunc());
+    let in_plane = [0, 1, 2].map(|axis| {
+        let (u, v) = (weights[0] * scale, weights[1] * scale);
+        let x = a[axis] + u * (b[axis] - a[axis]) + v * (c[axis] - a[axis]);
+        let steps = i32::from(input.bend >> (2 * axis) & 3) - 1;
+        let moved = f32::from_bits(x.to_bits().wrapping_add_signed(steps));
+        if moved.is_finite() { moved } else { x }
+    });
+    let across = [0, 1, 2].map(|axis| in_plane[axis] - a[axis]);
+    let radius = below_one(input.radius).abs() * scale;
+    match input.kind % 6 {
+        0 => Target::position(anywhere),
+        1 => Target::position(in_plane),
+        2 => Target::direction(input.point.map(below_one)),
+        3 => Target::direction(across),
+        4 => Target::ball(anywhere, radius),
+        _ => Target::ball(in_plane, radius),
+    }
+}
+
+/// Whether all of a target is strictly on a side, exactly: the volume is over the radius times the normal's length.
+fn is_exactly_on(side: i32, [a, b, c]: &[[f32; 3]; 3], target: &Target) -> bool {
+    let difference = |p: &[f32; 3], q: &[f32; 3]| {
+        [0, 1, 2].map(|axis| ExactSum::difference(p[axis].into(), q[axis].into()))
+    };
+    let (e1, e2) = (difference(b, a), difference(c, a));
+    let r = match target.is_position {
+        1 => difference(&target.point, a),
+        _ => difference(&target.point, &[0.0; 3]),
+    };
+    let normal =
+        [(1, 2), (2, 0), (0, 1)].map(|(i, j)| e1[i].times(&e2[j]).minus(&e1[j].times(&e2[i])));
+    let dot = |p: &[ExactSum; 3], q: &[ExactSum; 3]| {
+        let terms = [0, 1, 2].map(|axis| p[axis].times(&q[axis]));
+        terms.iter().fold(ExactSum::default(), ExactSum::plus)
+    };
+    let volume = dot(&r, &normal);
+    if volume.sign() != side || target.radius == 0.0 {
+        return volume.sign() == side;
+    }
+    let radius = ExactSum::difference(target.radius.into(), 0.0);
+    let reach = radius.times(&radius).times(&dot(&normal, &normal));
+    volume.times(&volume).minus(&reach).sign() > 0
+}
+
+/// Components, sides and vertices may be missing.
+fn together(input: &Input, vertices: &[[f32; 3]; 3], target: Target) {
+    let indices: Vec<[u32; 3]> = (input.others.iter())
+        .map(|(corners, _)| corners.map(|corner| u32::from(corner % 4)))
+        .collect();
+    let components: Vec<u32> = (input.others.iter().skip(1))
+        .map(|(_, component)| u32::from(component % 5))
+        .collect();
+    let sides = input.sides.map(|side| i32::from(side).signum());
+    let mesh = IndexedTriangles {
+        vertices,
+        indices: &indices,
+    };
+    let reach = Reach {
+        sides: Sides {
+            components: &components,
+            sides: &sides,
+        },
+        target,
+        frustum: Frustum::EVERYWHERE,
+    };
+    let scale = PowerOfTwo::new(0);
+    for word in 0..(indices.len() as u32).div_ceil(32) {
+        let each = (32 * word..32 * word + 32).filter(|&i| i < indices.len() as u32);
+        let expected = each.map(|i| u32::from(is_in_set(i, &mesh, &scale, &reach)) << (i % 32));
+        let bits: u32 = expected.sum();
+        assert_eq!(word_of_set(word, &mesh, &scale, &reach), bits);
+    }
+}

@@ -1,0 +1,64 @@
+//! Any bytes behind the header of a saved hierarchy, with the checksum put right: what is read is sound, is written again byte for
+//! byte, and can be traced and refitted.
+
+use slimbvh::file::{Saved, read, write};
+use slimbvh::{BuildConfig, Builder, LatticeBits, NodeCodec};
+use slimbvh_core::Ray;
+
+/// Bytes of the header and the record of the scene.
+const HEAD_BYTES: usize = 480;
+
+/// See the module.
+///
+/// # Panics
+/// If what is read is not sound.
+pub fn saved_file(data: &[u8]) {
+    // As it is, which is seldom more than a header.
+    if let Ok(saved) = read(data) {
+        assert_writes(&saved, data);
+    }
+    let bytes = repaired(data);
+    let Ok(saved) = read(&bytes) else { return };
+    assert_writes(&saved, &bytes);
+    let mesh = &saved.scene.mesh;
+    for target in mesh.vertices.iter().take(16) {
+        for eye in [[0.0; 3], [3.0, -2.0, 1.0]] {
+            let ray = Ray::new(eye, [0, 1, 2].map(|axis| target[axis] - eye[axis]));
+            let hit = saved.bvh.closest_hit(&ray);
+            assert_eq!(saved.bvh.any_hit(&ray), hit.is_hit());
+            assert!(!hit.is_hit() || (hit.primitive as usize) < mesh.indices.len());
+        }
+    }
+    if saved.bvh.triangle_count() == saved.bvh.mesh_triangle_count() {
+        let config = BuildConfig {
+            nodes: NodeCodec::Lattice(LatticeBits::Q10),
+            ..BuildConfig::default()
+        };
+        let mut bvh = saved.bvh.clone();
+        let refitted = Builder::new(config).refit(mesh, &mut bvh);
+        assert!(refitted.is_ok(), "it was built over this mesh");
+        assert_eq!(bvh.validate_over(mesh), Ok(()));
+    }
+}
+
+fn assert_writes(saved: &Saved, bytes: &[u8]) {
+    let mut written = Vec::new();
+    let outcome = write(&saved.scene, &saved.bvh, saved.framing, &mut written);
+    assert!(outcome.is_ok() && written == bytes);
+}
+
+/// Header and checksum as they must be for the rest to be looked at.
+fn repaired(data: &[u8]) -> Vec<u8> {
+    let mut bytes = data.to_vec();
+    bytes.resize(data.len().max(HEAD_BYTES), 0);
+    let length = bytes.len() as u64;
+    bytes[..8].copy_from_slice(b"\x89SLIM\r\n\x1a");
+    bytes[8..12].copy_from_slice(&0x0102_0304_u32.to_le_bytes());
+    bytes[12..16].copy_from_slice(&1_u32.to_le_bytes());
+    bytes[24..32].copy_from_slice(&length.to_le_bytes());
+    let mut checksum = crc32fast::Hasher::new();
+    checksum.update(&bytes[..16]);
+    checksum.update(&bytes[20..]);
+    bytes[16..20].copy_from_slice(&checksum.finalize().to_le_bytes());
+    bytes
+}

@@ -1,0 +1,126 @@
+//! Any triangle in any leaf: exact on the lattice, and half a cell away in the printed codec.
+
+use super::input::{Extent, any, below_one, between, lattice_box};
+use arbitrary::Arbitrary;
+use slimbvh_core::LeafTriangle;
+use slimbvh_core::encode::{
+    LatticeFrame, LatticeTriangles, LeafCorner, LeafWidth, PrintedBox, PrintedTriangles,
+    encode_printed_triangle, encode_triangle,
+};
+use slimbvh_core::trace::{Place, TriangleSource};
+
+/// Orders of axes that rays have.
+const ORDERS: [[u32; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    bounds: [Extent; 3],
+    corners: [[u32; 3]; 3],
+    primitive: u32,
+    step: u8,
+    others: u8,
+}
+
+/// See the module.
+///
+/// # Panics
+/// If a corner is elsewhere.
+pub fn triangle_codec(data: &[u8]) {
+    let Some(input) = any::<Input>(data) else {
+        return;
+    };
+    on_lattice(&input);
+    as_printed(&input);
+}
+
+/// A triangle somewhere in the leaf's box comes back to the bit, whatever stands before it.
+fn on_lattice(input: &Input) {
+    let bounds = lattice_box(input.bounds);
+    let step_exponent = i32::from(input.step % 33) - 24;
+    let step = 2f32.powi(step_exponent);
+    let vertices = input.corners.map(|corner| {
+        [0, 1, 2].map(|axis| between(bounds.min[axis], bounds.max[axis], corner[axis]))
+    });
+    let mut triangle = LeafTriangle {
+        primitive: input.primitive,
+        ..LeafTriangle::default()
+    };
+    for (to, x) in triangle.vertices.iter_mut().zip(vertices.as_flattened()) {
+        *to = *x as f32 * step;
+    }
+
+    let width = LeafWidth::of(&bounds);
+    let (first, number) = (u32::from(input.others), 2);
+    let at = (first + number * width.words()) as usize;
+    let own = encode_triangle(&triangle, &LeafCorner::of(&bounds), step);
+    let mut words = vec![u32::MAX; at];
+    words.extend(&own[..width.words() as usize]);
+    let triangles = LatticeTriangles {
+        words: &words,
+        step,
+    };
+    for axes in ORDERS {
+        let frame = LatticeFrame::new(&bounds, step, axes);
+        assert_eq!(LeafWidth::of_frame(&frame, step), width);
+        let place = Place {
+            first,
+            number,
+            frame,
+        };
+        let expected = vertices.map(|v| axes.map(|axis| v[axis as usize] as f32 * step));
+        assert_eq!(triangles.corners(&place, axes), expected, "{bounds:?}");
+        assert_eq!(triangles.primitive(&place), input.primitive);
+    }
+}
+
+/// Every coordinate stays in the box and moves half a cell at most, but for the roundings of the cell's ends.
+fn as_printed(input: &Input) {
+    let planes = input.bounds.map(|(a, b, _)| {
+        let (a, b) = (below_one(a as u32), below_one(b));
+        [a.min(b), a.max(b)]
+    });
+    let bounds = PrintedBox {
+        min: planes.map(|[low, _]| low),
+        max: planes.map(|[_, high]| high),
+    };
+    let mut triangle = LeafTriangle {
+        primitive: input.primitive,
+        ..LeafTriangle::default()
+    };
+    for (i, to) in triangle.vertices.iter_mut().enumerate() {
+        let [low, high] = planes[i % 3];
+        *to = below_one(input.corners[i / 3][i % 3]).clamp(low, high);
+    }
+    let own = [encode_printed_triangle(&triangle, &bounds, 0)];
+    let source = PrintedTriangles {
+        triangles: &own,
+        zero: 0,
+    };
+    for axes in ORDERS {
+        let order = |v: [f32; 3]| axes.map(|axis| v[axis as usize]);
+        let place = Place {
+            first: 0,
+            number: 0,
+            frame: PrintedBox {
+                min: order(bounds.min),
+                max: order(bounds.max),
+            },
+        };
+        assert_eq!(source.primitive(&place), input.primitive);
+        let corners = source.corners(&place, axes);
+        for (corner, decoded) in corners.iter().enumerate() {
+            for (i, &x) in decoded.iter().enumerate() {
+                let axis = axes[i] as usize;
+                let [low, high] = planes[axis];
+                assert!((low..=high).contains(&x));
+                let moved = f64::from(x) - f64::from(triangle.vertices[3 * corner + axis]);
+                assert!(moved.abs() <= half_a_cell(low, high), "{bounds:?} {x}");
+            }
+        }
+    }
+}
+
+fn half_a_cell(low: f32, high: f32) -> f64 {
+    let largest = f64::from(low.abs().max(high.abs()));
+    (f64::from(high) - f64::from(low)) / 2046.0 * 1.001 + 4.0 * largest * 2f64.powi(-24) + 1e-37
+}

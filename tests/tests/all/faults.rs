@@ -1,0 +1,64 @@
+//! Load: builds in a row take no more memory, and what is too large is refused before any is taken.
+
+use slimbvh::generate::{icosphere, soup};
+use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, MeshError, NodeCodec};
+use slimbvh_core::MAX_TRIANGLES;
+
+/// Memory of a builder and a hierarchy is the same each time that the same mesh comes round.
+#[test]
+fn thousands_of_builds_in_a_row_take_no_more_memory() {
+    let step_exponent = -12;
+    let mut meshes = vec![soup(300, 1), icosphere(glam::Vec3::ONE, 2.0, 2), soup(7, 2)];
+    meshes.push(Mesh::default());
+    for mesh in &mut meshes {
+        mesh.snap(step_exponent);
+        mesh.normals.clear();
+    }
+    let lattice = MeshCodec::Lattice { step_exponent };
+    for (nodes, mesh) in [
+        (NodeCodec::F32, MeshCodec::F32),
+        (NodeCodec::Printed, MeshCodec::Leaf10),
+        (NodeCodec::Lattice(LatticeBits::Q10), MeshCodec::F32),
+        (NodeCodec::Lattice(LatticeBits::Q10), lattice),
+    ] {
+        let mut builder = Builder::new(BuildConfig {
+            nodes,
+            mesh,
+            ..BuildConfig::default()
+        });
+        let mut bvh = Bvh::default();
+        // What a builder works on, and what a hierarchy holds, by mesh.
+        let mut held = vec![[0; 2]; meshes.len()];
+        for build in 0..2000 {
+            let which = build % meshes.len();
+            assert!(builder.build_into(&meshes[which], &mut bvh).is_ok());
+            assert!(builder.refit(&meshes[which], &mut bvh).is_ok());
+            let now = [builder.scratch_bytes(), bvh.held_bytes()];
+            if build < 2 * meshes.len() {
+                held[which] = now;
+            }
+            assert_eq!(now, held[which], "build {build}, {nodes:?}, {mesh:?}");
+        }
+    }
+}
+
+#[test]
+fn a_mesh_beyond_the_limit_is_refused_before_memory_is_taken() {
+    let limit = MAX_TRIANGLES as usize;
+    let triangle_count = limit + 1;
+    // Zeros that nobody reads take no memory.
+    let mesh = Mesh {
+        vertices: vec![[0.0; 3]],
+        indices: vec![[0; 3]; triangle_count],
+        ..Mesh::default()
+    };
+    let refused = Err(MeshError::TooManyTriangles {
+        triangle_count,
+        limit,
+    });
+    assert_eq!(mesh.validate(), refused);
+    let mut builder = Builder::new(BuildConfig::default());
+    let mut bvh = Bvh::default();
+    assert_eq!(builder.build_into(&mesh, &mut bvh).map(drop), refused);
+    assert_eq!((builder.scratch_bytes(), bvh.held_bytes()), (0, 0));
+}

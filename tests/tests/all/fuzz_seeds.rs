@@ -1,0 +1,48 @@
+//! The seeds of the fuzz targets, and what fuzzing has found, go through the same functions as in `fuzz/`.
+
+use slimbvh_tests::fuzz::TARGETS;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// Files of a folder, in the order of their names.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder);
+    let entries = entries.unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let paths: BTreeSet<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    paths.into_iter().collect()
+}
+
+fn name(path: &Path) -> String {
+    let name = path.file_stem().expect("entries have names");
+    name.to_string_lossy().into_owned()
+}
+
+#[test]
+fn every_seed_of_every_fuzz_target_passes() {
+    let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz");
+    for (target, check) in TARGETS {
+        let seeds = files(&fuzz.join("corpus").join(target));
+        assert!(seeds.len() >= 2, "{target} has {} seeds", seeds.len());
+        for seed in seeds {
+            // Tells which, if it fails.
+            println!("{}", seed.display());
+            check(&std::fs::read(&seed).expect("a seed"));
+        }
+    }
+}
+
+/// No target is left out of the list, nor of the folder.
+#[test]
+fn every_fuzz_target_is_replayed() {
+    let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz");
+    let expected = TARGETS.map(|(target, _)| target.to_owned());
+    for folder in ["fuzz_targets", "corpus"] {
+        let found: Vec<String> = files(&fuzz.join(folder))
+            .iter()
+            .map(|path| name(path))
+            .collect();
+        assert_eq!(found, expected, "{folder}");
+    }
+}
