@@ -1,3 +1,4 @@
+use super::super::reproduce::table::Table;
 use super::tables::tables;
 use slimbvh::stress::Row;
 
@@ -18,7 +19,7 @@ fn row(family: &str, magnitude: &str, codec: &str) -> Row {
 }
 
 fn text(rows: &[Row]) -> String {
-    tables(rows).iter().map(|table| table.text()).collect()
+    tables(rows).iter().map(Table::text).collect()
 }
 
 #[test]
