@@ -1,5 +1,5 @@
-use super::super::reproduce::table::Table;
 use super::tables::tables;
+use crate::cli::reproduce::Table;
 use slimbvh::stress::Row;
 
 fn row(family: &str, magnitude: &str, codec: &str) -> Row {
