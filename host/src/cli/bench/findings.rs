@@ -1,0 +1,341 @@
+//! What the figures say, in sentences.
+
+use super::measure::{SceneRecord, SetupRecord};
+use super::setup::{Knob, Triangles};
+use super::times::{Round, Times};
+use crate::cli::measure::step::Step;
+use serde::Serialize;
+use slimbvh::reduce::Reduce;
+use slimbvh::{CodeBits, LatticeBits, NodeCodec};
+
+/// What a sentence says of slimbvh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// It wins something.
+    Wins,
+    /// It costs something, or gains nothing.
+    Loses,
+    /// It is as it should be.
+    Holds,
+    /// It is not.
+    Fails,
+}
+
+/// A sentence about one scene on one machine.
+#[derive(Clone, Debug, Serialize)]
+pub struct Finding {
+    pub scene: String,
+    pub backend: &'static str,
+    pub verdict: Verdict,
+    pub text: String,
+}
+
+/// Less than this share of a time is not told from none, whatever the spread.
+const NOTHING: f64 = 0.03;
+
+/// All sentences about a scene.
+pub fn findings(scene: &SceneRecord) -> Vec<Finding> {
+    let told = tell(scene).into_iter().map(|(verdict, text)| Finding {
+        scene: scene.name.clone(),
+        backend: scene.backend,
+        verdict,
+        text,
+    });
+    told.collect()
+}
+
+type Told = (Verdict, String);
+
+fn tell(scene: &SceneRecord) -> Vec<Told> {
+    let Some(usual) = scene.setups.first() else {
+        return Vec::new();
+    };
+    let find = |is: &dyn Fn(&SetupRecord) -> bool| scene.setups.iter().find(|record| is(record));
+    let mut told = Vec::new();
+    let coded = find(&|record| {
+        record.knob == Knob::Nodes && record.setup.nodes == NodeCodec::Lattice(LatticeBits::Q10)
+    });
+    told.extend(coded.into_iter().flat_map(|record| nodes(record, usual)));
+    told.extend(widths(scene, usual));
+    let half_a_pixel = Triangles::Lattice(Step::Pixels(0.5));
+    for mesh in [half_a_pixel, Triangles::Leaf10] {
+        let record = find(&|record| record.knob == Knob::Mesh && record.setup.mesh == mesh);
+        told.extend(
+            record
+                .into_iter()
+                .flat_map(|it| triangles(it, usual, scene)),
+        );
+    }
+    let reduced = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::On);
+    told.extend(reduced.map(|record| reduction(record, scene)));
+    let apart = find(&|record| record.knob == Knob::Lights);
+    told.extend(
+        apart
+            .zip(reduced)
+            .map(|(apart, reduced)| lights(apart, reduced)),
+    );
+    let long = find(&|record| record.knob == Knob::Codes && record.setup.codes == CodeBits::Bits63);
+    told.extend(long.map(codes));
+    told.extend(find(&|record| record.knob == Knob::Update).map(refit));
+    let alone = find(&|record| record.knob == Knob::Threads && record.setup.threads == 1);
+    told.extend(alone.map(|record| threads(record, usual)));
+    told.push(best(scene, usual));
+    told.push(same(scene));
+    told
+}
+
+fn nodes(own: &SetupRecord, usual: &SetupRecord) -> Vec<Told> {
+    let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
+    let of_nodes = |record: &SetupRecord| record.facts.node_bytes as f64;
+    let (share, stored) = (read(own) / read(usual), of_nodes(own) / of_nodes(usual));
+    vec![
+        (
+            win_if(share < 1.0),
+            format!(
+                "Nodes in 10 bits take {} of the bytes of nodes in full, and rays read {} of the bytes.",
+                percent(stored),
+                percent(share)
+            ),
+        ),
+        time(own, Times::trace, "Tracing nodes in 10 bits"),
+    ]
+}
+
+/// The fewest bits that trace about as well as the most.
+fn widths(scene: &SceneRecord, usual: &SetupRecord) -> Option<Told> {
+    let all = scene.setups.iter().filter(|it| it.knob == Knob::Nodes);
+    let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
+    let least = all.min_by(|a, b| read(a).total_cmp(&read(b)))?;
+    Some((
+        win_if(read(least) < read(usual)),
+        format!(
+            "Of all nodes those of {} let rays read the fewest bytes: {:.0} a ray instead of {:.0}.",
+            least.setup.nodes_name(),
+            read(least),
+            read(usual)
+        ),
+    ))
+}
+
+fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
+    let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
+    let (name, likeness, moves) = (own.setup.mesh_name(), &own.likeness, &own.facts.moves);
+    let size = format!(
+        "With triangles of {name} and nodes that go with them, a tree takes {:.1} bytes a triangle, {} of the default's.",
+        bytes(own) / scene.triangles.max(1) as f64,
+        percent(bytes(own) / bytes(usual))
+    );
+    let error = format!(
+        "No vertex moves by more than {} of the scene's diagonal, {} of pixels see another triangle, and the picture is off by {:.3} of 255 \
+         (SSIM {:.5}).",
+        share(moves.most / f64::from(scene.diagonal)),
+        share(likeness.changed_primitives),
+        likeness.image_rmse,
+        likeness.ssim
+    );
+    let is_small = bytes(own) < bytes(usual);
+    vec![
+        (win_if(is_small), size),
+        (
+            Verdict::Loses,
+            format!("With triangles of {name} pictures change. {error}"),
+        ),
+        time(own, Times::trace, &format!("Tracing triangles of {name}")),
+    ]
+}
+
+fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {
+    let (whole, planned) = (own.ratio(Times::frame), own.ratio(Times::planned));
+    let plan = own.rounds.median(|round| round.own.plan);
+    let kept = own.facts.tree_triangles as f64 / scene.triangles.max(1) as f64;
+    let trees = crate::cli::output::things(own.facts.trees, "tree");
+    let text = format!(
+        "Trees without what their rays cannot hit ({trees} with {} of the triangles in all) make a picture {}; finding out what may be left out \
+         takes {plan:.1} ms more, once for a mesh, so that a single picture is made {}.",
+        percent(kept),
+        compared(planned),
+        compared(whole)
+    );
+    (win_if(is_clear(own, Times::planned) && planned < 1.0), text)
+}
+
+fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Told {
+    let time = |record: &SetupRecord| record.ratio(Times::planned);
+    let times = time(grouped) / time(apart);
+    let text = match grouped.facts.trees == apart.facts.trees {
+        true => {
+            "These lights are too far from each other to share a tree: grouping changes nothing."
+                .into()
+        }
+        false => format!(
+            "Where lights share a tree, a picture is made {}.",
+            compared(times)
+        ),
+    };
+    (win_if(times < 1.0 - NOTHING), text)
+}
+
+fn codes(own: &SetupRecord) -> Told {
+    let (trace, build) = (own.ratio(Times::trace), own.ratio(|times| times.build));
+    let text = format!(
+        "63-bit codes instead of 30: rays are traced {}, and the tree is built {}.",
+        compared(trace),
+        compared(build)
+    );
+    (win_if(own.ratio(Times::frame) < 1.0 - NOTHING), text)
+}
+
+fn refit(own: &SetupRecord) -> Told {
+    let (build, trace) = (own.ratio(|times| times.build), own.ratio(Times::trace));
+    let text = format!(
+        "Refitting a tree after the scene was twisted by a 64th of its round takes {} of the time of a new one; its rays are traced {}.",
+        percent(build),
+        compared(trace)
+    );
+    (win_if(build < 1.0), text)
+}
+
+fn threads(one: &SetupRecord, usual: &SetupRecord) -> Told {
+    let times = one.ratio(Times::frame);
+    let count = usual.setup.threads;
+    let text = format!("{count} threads make a picture {times:.2} times as fast as one.");
+    (win_if(times > 1.0 + NOTHING), text)
+}
+
+/// The fastest and the smallest of those that lose nothing.
+fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
+    let same = |record: &&SetupRecord| {
+        record.likeness.changed_pixels == 0.0 && record.setup.is_comparable(&usual.setup)
+    };
+    let fastest = scene.setups.iter().filter(same);
+    let fastest = fastest.min_by(|a, b| a.ratio(Times::frame).total_cmp(&b.ratio(Times::frame)));
+    let smallest = scene.setups.iter().filter(same);
+    let smallest = smallest.min_by_key(|record| record.facts.resident_bytes());
+    let (Some(fastest), Some(smallest)) = (fastest, smallest) else {
+        return (
+            Verdict::Fails,
+            "No setup makes the plain tree's picture.".into(),
+        );
+    };
+    let is_faster = fastest.ratio(Times::frame) < 1.0 && is_clear(fastest, Times::frame);
+    let fast = match is_faster {
+        true => format!(
+            "\"{}\" is the fastest, {}",
+            fastest.name,
+            compared(fastest.ratio(Times::frame))
+        ),
+        false => "nothing is clearly faster than the default".into(),
+    };
+    let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
+    let text = format!(
+        "Of all that change no pixel, \"{}\" is the smallest, {:.1} bytes a triangle, {} of the default's; {fast}.",
+        smallest.name,
+        bytes(smallest) / scene.triangles.max(1) as f64,
+        percent(bytes(smallest) / bytes(usual)),
+    );
+    (win_if(is_faster || bytes(smallest) < bytes(usual)), text)
+}
+
+/// Whether all that should lose nothing do so.
+fn same(scene: &SceneRecord) -> Told {
+    let lossless = scene.setups.iter().filter(|it| it.setup.is_lossless());
+    let (same, other): (Vec<_>, Vec<_>) =
+        lossless.partition(|record| record.likeness.changed_pixels == 0.0);
+    if other.is_empty() {
+        let text = format!(
+            "All {} setups with triangles in full make the plain tree's picture, byte for byte.",
+            same.len()
+        );
+        return (Verdict::Holds, text);
+    }
+    let names: Vec<String> = other
+        .iter()
+        .map(|record| {
+            format!(
+                "\"{}\" ({})",
+                record.name,
+                share(record.likeness.changed_pixels)
+            )
+        })
+        .collect();
+    let text = format!(
+        "These have triangles in full, and change pixels all the same: {}.",
+        names.join(", ")
+    );
+    (Verdict::Fails, text)
+}
+
+/// What a part of the time does, beside the default's.
+fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str) -> Told {
+    let ratio = own.ratio(of);
+    let clear = match is_clear(own, of) {
+        true => "",
+        false => ", which is within the spread of these runs",
+    };
+    let text = format!("{what} takes {ratio:.2} times the default's time on this machine{clear}.");
+    (win_if(ratio < 1.0 && clear.is_empty()), text)
+}
+
+/// Whether all rounds say the same of a time.
+fn is_clear(own: &SetupRecord, of: fn(&Times) -> f64) -> bool {
+    let ratio = |round: &Round| of(&round.own) / of(&round.usual);
+    let faster = own
+        .rounds
+        .0
+        .iter()
+        .all(|round| ratio(round) < 1.0 - NOTHING);
+    let slower = own
+        .rounds
+        .0
+        .iter()
+        .all(|round| ratio(round) > 1.0 + NOTHING);
+    faster || slower
+}
+
+fn win_if(wins: bool) -> Verdict {
+    match wins {
+        true => Verdict::Wins,
+        false => Verdict::Loses,
+    }
+}
+
+/// A ratio of times in words.
+fn compared(ratio: f64) -> String {
+    match ratio {
+        ratio if ratio < 1.0 - NOTHING => format!("in {} of the time", percent(ratio)),
+        ratio if ratio > 1.0 + NOTHING => format!("in {ratio:.2} times the time"),
+        _ => "in the same time".into(),
+    }
+}
+
+/// A share that is not small.
+pub fn percent(share: f64) -> String {
+    format!("{:.0} %", 100.0 * share)
+}
+
+/// A share that may be small.
+pub fn share(share: f64) -> String {
+    match 100.0 * share {
+        0.0 => "0 %".into(),
+        percent if percent >= 0.01 => format!("{percent:.2} %"),
+        percent => format!("{percent:.1e} %"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratios_and_shares_in_words() {
+        assert_eq!(compared(0.5), "in 50 % of the time");
+        assert_eq!(compared(1.01), "in the same time");
+        assert_eq!(compared(2.0), "in 2.00 times the time");
+        assert_eq!((percent(0.27), share(0.0)), ("27 %".into(), "0 %".into()));
+        assert_eq!(
+            (share(0.0123), share(1e-6)),
+            ("1.23 %".into(), "1.0e-4 %".into())
+        );
+    }
+}

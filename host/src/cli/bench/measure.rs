@@ -1,0 +1,184 @@
+//! Everything that is measured of a scene.
+
+use super::cross::{Objectives, candidates};
+use super::facts::Facts;
+use super::likeness::Likeness;
+use super::machine::{Cpu, Machine};
+use super::pareto::front;
+use super::prepared::Prepared;
+use super::protocol::Protocol;
+use super::scenes::Subject;
+use super::setup::{Knob, Setup};
+use super::times::Round;
+use crate::cli::measure::paths::Seen;
+use crate::cli::measure::rounds::Rounds;
+use crate::cli::output;
+use anyhow::Result;
+use slimbvh::{Bvh, Picture, RenderSettings};
+
+/// What was measured of one scene on one machine.
+pub struct SceneRecord {
+    pub name: String,
+    pub backend: &'static str,
+    pub triangles: usize,
+    pub vertices: usize,
+    pub lights: usize,
+    /// Of the scene's box.
+    pub diagonal: f32,
+    /// The default first.
+    pub setups: Vec<SetupRecord>,
+    /// The plain tree's.
+    pub picture: Picture,
+}
+
+/// What was measured with one setup.
+pub struct SetupRecord {
+    pub knob: Knob,
+    pub setup: Setup,
+    pub name: String,
+    pub rounds: Rounds<Round>,
+    pub facts: Facts,
+    pub peak_bytes: usize,
+    pub likeness: Likeness,
+    /// Whether nothing that does the same work on the same cores is better in time, bytes and error.
+    pub on_front: bool,
+    /// Where it differs from the plain tree's.
+    pub picture: Option<Picture>,
+}
+
+/// What everything is compared with.
+struct Plain {
+    seen: Vec<Seen>,
+    bvh: Bvh,
+    picture: Picture,
+}
+
+impl SetupRecord {
+    pub fn objectives(&self) -> Objectives {
+        [
+            self.frame(),
+            self.facts.resident_bytes() as f64,
+            self.likeness.image_rmse,
+        ]
+    }
+
+    /// The median of a picture's times, in milliseconds.
+    pub fn frame(&self) -> f64 {
+        self.rounds.median(|round| round.own.frame())
+    }
+
+    /// How many times as long as the default's a picture takes.
+    pub fn ratio(&self, of: impl Fn(&super::times::Times) -> f64) -> f64 {
+        self.rounds
+            .median(|round| of(&round.own) / of(&round.usual))
+    }
+}
+
+/// Measures one scene with each setup, in turn with the default.
+pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<SceneRecord> {
+    let scene = &subject.scene;
+    let settings = RenderSettings {
+        size: protocol.size,
+        mirror_depth: protocol.mirror_depth,
+        ..RenderSettings::default()
+    };
+    let prepared = Prepared::new(Setup::plain(threads), scene, settings);
+    let (facts, bvh) = Facts::new(&prepared, None)?;
+    let mut machine = Cpu::new(&prepared)?;
+    machine.frame()?;
+    let plain = Plain {
+        seen: facts.counts.seen,
+        bvh,
+        picture: machine.picture().clone(),
+    };
+    drop(machine);
+
+    let usual = Prepared::new(Setup::usual(threads), scene, settings);
+    let mut machine = Cpu::new(&usual)?;
+    let progress = output::bar(&format!("measuring {}", subject.name));
+    let mut setups: Vec<SetupRecord> = Vec::new();
+    let mut run = |list: Vec<(Knob, Setup)>, setups: &mut Vec<SetupRecord>| -> Result<()> {
+        let all = (setups.len() + list.len() + protocol.crossed) as f64;
+        for (knob, setup) in list {
+            let prepared = Prepared::new(setup, scene, settings);
+            let both = (
+                &mut machine as &mut dyn Machine,
+                &mut Cpu::new(&prepared)? as _,
+            );
+            let mut record = measure_one(&prepared, both, &plain, protocol)?;
+            (record.knob, record.name) = (knob, setup.name(&usual.setup));
+            setups.push(record);
+            progress.set(setups.len() as f64 / all);
+        }
+        Ok(())
+    };
+    run(
+        Setup::one_at_a_time(threads, scene.lights.len()),
+        &mut setups,
+    )?;
+    let crossed = candidates(&setups, protocol.crossed).into_iter();
+    run(
+        crossed.map(|setup| (Knob::Crossed, setup)).collect(),
+        &mut setups,
+    )?;
+    mark_front(&mut setups);
+    let bounds = scene.mesh.bounds();
+    Ok(SceneRecord {
+        name: subject.name,
+        backend: "cpu",
+        triangles: scene.mesh.indices.len(),
+        vertices: scene.mesh.vertices.len(),
+        lights: scene.lights.len(),
+        diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
+        setups,
+        picture: plain.picture,
+    })
+}
+
+/// Makes pictures with the default and with a setup in turn, and compares the last one.
+fn measure_one(
+    prepared: &Prepared,
+    (usual, own): (&mut dyn Machine, &mut dyn Machine),
+    plain: &Plain,
+    protocol: &Protocol,
+) -> Result<SetupRecord> {
+    let mut rounds = Rounds::default();
+    for round in 0..=protocol.rounds {
+        let times = Round {
+            usual: usual.frame()?,
+            own: own.frame()?,
+        };
+        if round > 0 {
+            rounds.0.push(times);
+        }
+    }
+    let (mut facts, _) = Facts::new(prepared, Some(&plain.bvh))?;
+    let picture = own.picture();
+    let seen = std::mem::take(&mut facts.counts.seen);
+    let likeness = Likeness::new(picture, &plain.picture, [&seen, &plain.seen])?;
+    Ok(SetupRecord {
+        knob: Knob::Default,
+        setup: prepared.setup,
+        name: String::new(),
+        rounds,
+        facts,
+        peak_bytes: own.peak_bytes(),
+        likeness,
+        on_front: false,
+        picture: (likeness.changed_pixels > 0.0).then(|| picture.clone()),
+    })
+}
+
+fn mark_front(setups: &mut [SetupRecord]) {
+    let Some(usual) = setups.first().map(|record| record.setup) else {
+        return;
+    };
+    let mut comparable: Vec<&mut SetupRecord> = setups
+        .iter_mut()
+        .filter(|record| record.setup.is_comparable(&usual))
+        .collect();
+    let objectives: Vec<Objectives> = comparable.iter().map(|it| it.objectives()).collect();
+    for (record, on_front) in comparable.iter_mut().zip(front(&objectives)) {
+        record.on_front = on_front;
+    }
+}

@@ -1,0 +1,10 @@
+//! What all commands that measure have in common.
+
+pub mod counts;
+pub mod machine;
+pub mod moves;
+pub mod paths;
+pub mod rounds;
+pub mod step;
+pub mod table;
+pub mod walks;
