@@ -18,10 +18,13 @@ mod setup;
 mod tests;
 mod times;
 
+use super::backend::{BackendArguments, Chosen, choose};
+#[cfg(feature = "gpu")]
+use super::measure::machine::adapter;
 use super::measure::machine::processor;
 use super::{ThreadArguments, output};
-use anyhow::Result;
-use clap::Args;
+use anyhow::{Result, bail};
+use clap::{Args, ValueEnum};
 use measure::measure;
 use protocol::Protocol;
 use report::{Report, check_folder};
@@ -32,7 +35,8 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh bench --quick
   slimbvh bench --quick --out report
-  slimbvh bench model.glb terrain --out report --threads 4";
+  slimbvh bench model.glb terrain --out report --threads 4
+  slimbvh bench --quick --backend cpu,gpu --out report";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -49,8 +53,31 @@ pub struct BenchArguments {
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
 
+    /// What computes, separated by commas: each is measured by itself
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        value_name = "BACKEND",
+        default_value = "cpu"
+    )]
+    backend: Vec<Place>,
+
+    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+
     #[command(flatten)]
     threads: ThreadArguments,
+}
+
+/// What computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Place {
+    /// This machine's cores
+    Cpu,
+    /// A GPU
+    Gpu,
 }
 
 pub fn run(arguments: &BenchArguments) -> Result<()> {
@@ -58,6 +85,7 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
         true => Protocol::QUICK,
         false => Protocol::FULL,
     };
+    let places = arguments.places()?;
     // All are read before the first is measured, so that what is wrong with one is told at once.
     let subjects = arguments.scenes.iter();
     let subjects = subjects.map(|name| Subject::new(name, protocol.size));
@@ -67,12 +95,13 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
     }
     let work = || -> Result<Report> {
         let threads = rayon::current_num_threads();
-        let records = subjects.into_iter();
-        let records = records.map(|subject| measure(subject, &protocol, threads));
+        let pairs = subjects
+            .iter()
+            .flat_map(|subject| places.iter().map(move |place| (subject, place)));
+        let records = pairs.map(|(subject, place)| measure(subject, place, &protocol, threads));
         let records = records.collect::<Result<_>>()?;
-        let cores = format!("{}, {}", processor(), output::things(threads, "thread"));
-        let machines = vec![("cpu", cores)];
-        let command = arguments.command();
+        let machines = places.iter().map(|place| describe(place, threads));
+        let (command, machines) = (arguments.command(), machines.collect());
         Ok(Report::new(command, machines, protocol, threads, records))
     };
     let report = arguments.threads.run(work)??;
@@ -83,7 +112,33 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
     }
 }
 
+/// What was measured on, by backend.
+fn describe(place: &Chosen, threads: usize) -> (&'static str, String) {
+    match place {
+        Chosen::Cpu => {
+            let threads = output::things(threads, "thread");
+            ("cpu", format!("{}, {threads}", processor()))
+        }
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => ("gpu", adapter(gpu)),
+    }
+}
+
 impl BenchArguments {
+    /// Opens all that is asked for, each once.
+    fn places(&self) -> Result<Vec<Chosen>> {
+        if let (Some(name), false) = (&self.adapter, self.backend.contains(&Place::Gpu)) {
+            bail!("--adapter {name:?} asks for a GPU, but --backend for none; add gpu to it");
+        }
+        let mut places = self.backend.clone();
+        places.dedup();
+        let open = |place: &Place| match place {
+            Place::Cpu => Ok(Chosen::Cpu),
+            Place::Gpu => choose(&BackendArguments::gpu(self.adapter.clone())),
+        };
+        places.iter().map(open).collect()
+    }
+
     /// The command that makes the same report again, without the names of folders.
     fn command(&self) -> String {
         let mut words = vec!["slimbvh bench".to_owned()];
@@ -96,6 +151,16 @@ impl BenchArguments {
         if self.quick {
             words.push("--quick".into());
         }
+        if self.backend != [Place::Cpu] {
+            let names = self.backend.iter().filter_map(ValueEnum::to_possible_value);
+            let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
+            words.push(format!("--backend {}", names.join(",")));
+        }
+        words.extend(
+            self.adapter
+                .iter()
+                .map(|name| format!("--adapter {name:?}")),
+        );
         words.extend(self.threads.words());
         words.join(" ")
     }

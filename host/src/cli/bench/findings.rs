@@ -56,7 +56,11 @@ fn tell(scene: &SceneRecord) -> Vec<Told> {
     let coded = find(&|record| {
         record.knob == Knob::Nodes && record.setup.nodes == NodeCodec::Lattice(LatticeBits::Q10)
     });
-    told.extend(coded.into_iter().flat_map(|record| nodes(record, usual)));
+    told.extend(
+        coded
+            .into_iter()
+            .flat_map(|record| nodes(record, usual, scene)),
+    );
     told.extend(widths(scene, usual));
     let half_a_pixel = Triangles::Lattice(Step::Pixels(0.5));
     for mesh in [half_a_pixel, Triangles::Leaf10] {
@@ -85,7 +89,7 @@ fn tell(scene: &SceneRecord) -> Vec<Told> {
     told
 }
 
-fn nodes(own: &SetupRecord, usual: &SetupRecord) -> Vec<Told> {
+fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
     let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
     let of_nodes = |record: &SetupRecord| record.facts.node_bytes as f64;
     let (share, stored) = (read(own) / read(usual), of_nodes(own) / of_nodes(usual));
@@ -98,7 +102,7 @@ fn nodes(own: &SetupRecord, usual: &SetupRecord) -> Vec<Told> {
                 percent(share)
             ),
         ),
-        time(own, Times::trace, "Tracing nodes in 10 bits"),
+        time(own, Times::trace, "Tracing nodes in 10 bits", scene.backend),
     ]
 }
 
@@ -127,8 +131,9 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
         percent(bytes(own) / bytes(usual))
     );
     let error = format!(
-        "No vertex moves by more than {} of the scene's diagonal, {} of pixels see another triangle, and the picture is off by {:.3} of 255 \
-         (SSIM {:.5}).",
+        "No vertex moves by more than {:.2e}, which is {} of the scene's diagonal, {} of pixels see another triangle, and the picture is \
+         off by {:.3} of 255 (SSIM {:.5}).",
+        moves.most,
         share(moves.most / f64::from(scene.diagonal)),
         share(likeness.changed_primitives),
         likeness.image_rmse,
@@ -141,7 +146,12 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
             Verdict::Loses,
             format!("With triangles of {name} pictures change. {error}"),
         ),
-        time(own, Times::trace, &format!("Tracing triangles of {name}")),
+        time(
+            own,
+            Times::trace,
+            &format!("Tracing triangles of {name}"),
+            scene.backend,
+        ),
     ]
 }
 
@@ -154,53 +164,57 @@ fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {
         "Trees without what their rays cannot hit ({trees} with {} of the triangles in all) make a picture {}; finding out what may be left out \
          takes {plan:.1} ms more, once for a mesh, so that a single picture is made {}.",
         percent(kept),
-        compared(planned),
-        compared(whole)
+        compared(own, Times::planned),
+        in_words(whole)
     );
     (win_if(is_clear(own, Times::planned) && planned < 1.0), text)
 }
 
 fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Told {
     let time = |record: &SetupRecord| record.ratio(Times::planned);
+    if grouped.facts.trees == apart.facts.trees {
+        let text =
+            "These lights are too far from each other to share a tree: grouping changes nothing.";
+        return (Verdict::Loses, text.into());
+    }
     let times = time(grouped) / time(apart);
-    let text = match grouped.facts.trees == apart.facts.trees {
-        true => {
-            "These lights are too far from each other to share a tree: grouping changes nothing."
-                .into()
-        }
-        false => format!(
-            "Where lights share a tree, a picture is made {}.",
-            compared(times)
-        ),
-    };
+    let text = format!(
+        "Where lights share a tree, a picture is made {}.",
+        in_words(times)
+    );
     (win_if(times < 1.0 - NOTHING), text)
 }
 
 fn codes(own: &SetupRecord) -> Told {
-    let (trace, build) = (own.ratio(Times::trace), own.ratio(|times| times.build));
     let text = format!(
         "63-bit codes instead of 30: rays are traced {}, and the tree is built {}.",
-        compared(trace),
-        compared(build)
+        compared(own, Times::trace),
+        compared(own, |times| times.build)
     );
-    (win_if(own.ratio(Times::frame) < 1.0 - NOTHING), text)
+    let wins = own.ratio(Times::frame) < 1.0 && is_clear(own, Times::frame);
+    (win_if(wins), text)
 }
 
 fn refit(own: &SetupRecord) -> Told {
-    let (build, trace) = (own.ratio(|times| times.build), own.ratio(Times::trace));
+    let build = own.ratio(|times| times.build);
     let text = format!(
         "Refitting a tree after the scene was twisted by a 64th of its round takes {} of the time of a new one; its rays are traced {}.",
         percent(build),
-        compared(trace)
+        compared(own, Times::trace)
     );
     (win_if(build < 1.0), text)
 }
 
 fn threads(one: &SetupRecord, usual: &SetupRecord) -> Told {
-    let times = one.ratio(Times::frame);
-    let count = usual.setup.threads;
-    let text = format!("{count} threads make a picture {times:.2} times as fast as one.");
-    (win_if(times > 1.0 + NOTHING), text)
+    let (times, count) = (one.ratio(Times::frame), usual.setup.threads);
+    let is_faster = times > 1.0 && is_clear(one, Times::frame);
+    let text = match is_faster {
+        true => format!("{count} threads make a picture {times:.2} times as fast as one."),
+        false => {
+            format!("{count} threads gain nothing clear over one here ({times:.2} times as fast).")
+        }
+    };
+    (win_if(is_faster), text)
 }
 
 /// The fastest and the smallest of those that lose nothing.
@@ -223,7 +237,7 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
         true => format!(
             "\"{}\" is the fastest, {}",
             fastest.name,
-            compared(fastest.ratio(Times::frame))
+            compared(fastest, Times::frame)
         ),
         false => "nothing is clearly faster than the default".into(),
     };
@@ -267,13 +281,16 @@ fn same(scene: &SceneRecord) -> Told {
 }
 
 /// What a part of the time does, beside the default's.
-fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str) -> Told {
+fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> Told {
     let ratio = own.ratio(of);
     let clear = match is_clear(own, of) {
         true => "",
         false => ", which is within the spread of these runs",
     };
-    let text = format!("{what} takes {ratio:.2} times the default's time on this machine{clear}.");
+    let text = format!(
+        "{what} takes {ratio:.2} times the default's time on this {}{clear}.",
+        place.to_uppercase()
+    );
     (win_if(ratio < 1.0 && clear.is_empty()), text)
 }
 
@@ -300,8 +317,16 @@ fn win_if(wins: bool) -> Verdict {
     }
 }
 
+/// How long a part takes beside the default's, in words.
+fn compared(own: &SetupRecord, of: fn(&Times) -> f64) -> String {
+    match is_clear(own, of) {
+        true => in_words(own.ratio(of)),
+        false => "in about the same time".into(),
+    }
+}
+
 /// A ratio of times in words.
-fn compared(ratio: f64) -> String {
+fn in_words(ratio: f64) -> String {
     match ratio {
         ratio if ratio < 1.0 - NOTHING => format!("in {} of the time", percent(ratio)),
         ratio if ratio > 1.0 + NOTHING => format!("in {ratio:.2} times the time"),
@@ -329,9 +354,9 @@ mod tests {
 
     #[test]
     fn ratios_and_shares_in_words() {
-        assert_eq!(compared(0.5), "in 50 % of the time");
-        assert_eq!(compared(1.01), "in the same time");
-        assert_eq!(compared(2.0), "in 2.00 times the time");
+        assert_eq!(in_words(0.5), "in 50 % of the time");
+        assert_eq!(in_words(1.01), "in the same time");
+        assert_eq!(in_words(2.0), "in 2.00 times the time");
         assert_eq!((percent(0.27), share(0.0)), ("27 %".into(), "0 %".into()));
         assert_eq!(
             (share(0.0123), share(1e-6)),

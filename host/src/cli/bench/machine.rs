@@ -1,7 +1,12 @@
 //! What builds and renders while it is timed.
 
+#[cfg(feature = "gpu")]
+mod on_gpu;
+
 use super::prepared::Prepared;
+use super::setup::Setup;
 use super::times::Times;
+use crate::cli::backend::Chosen;
 use crate::cli::reduce;
 use crate::cli::render::job::{self, Job};
 use anyhow::{Context, Result};
@@ -19,12 +24,42 @@ pub trait Machine {
     /// The last one.
     fn picture(&self) -> &Picture;
 
-    /// Bytes of all memory that was needed for it, the mesh included. Buffers only grow, so that this is the most there ever was.
+    /// Bytes of all memory that was needed for it, the mesh included. Lists and buffers only grow, so that this is the most there
+    /// ever was.
     fn peak_bytes(&self) -> usize;
 }
 
+/// Makes a setup ready on what was chosen.
+pub fn open<'a>(chosen: &'a Chosen, prepared: &'a Prepared) -> Result<Box<dyn Machine + 'a>> {
+    Ok(match chosen {
+        Chosen::Cpu => Box::new(Cpu::new(prepared)?),
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => Box::new(on_gpu::OnGpu::new(gpu, prepared)),
+    })
+}
+
+/// Whether what was chosen has this setup.
+pub fn has(chosen: &Chosen, setup: &Setup, usual: &Setup) -> bool {
+    match chosen {
+        Chosen::Cpu => true,
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(_) | Chosen::GpuIfItFits(_) => {
+            setup.is_comparable(usual) && setup.has_kernels()
+        }
+    }
+}
+
+/// Its name in tables.
+pub fn name(chosen: &Chosen) -> &'static str {
+    match chosen {
+        Chosen::Cpu => "cpu",
+        #[cfg(feature = "gpu")]
+        Chosen::Gpu(_) | Chosen::GpuIfItFits(_) => "gpu",
+    }
+}
+
 /// This machine's cores.
-pub struct Cpu<'a> {
+struct Cpu<'a> {
     prepared: &'a Prepared<'a>,
     pool: ThreadPool,
     cpu: job::Cpu,

@@ -3,13 +3,14 @@
 use super::cross::{Objectives, candidates};
 use super::facts::Facts;
 use super::likeness::Likeness;
-use super::machine::{Cpu, Machine};
+use super::machine::{self, Machine};
 use super::pareto::front;
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::scenes::Subject;
 use super::setup::{Knob, Setup};
-use super::times::Round;
+use super::times::{Round, Times};
+use crate::cli::backend::Chosen;
 use crate::cli::measure::paths::Seen;
 use crate::cli::measure::rounds::Rounds;
 use crate::cli::output;
@@ -37,6 +38,8 @@ pub struct SetupRecord {
     pub setup: Setup,
     pub name: String,
     pub rounds: Rounds<Round>,
+    /// The median of all that was timed of the default, in milliseconds.
+    pub usual_ms: f64,
     pub facts: Facts,
     pub peak_bytes: usize,
     pub likeness: Likeness,
@@ -62,20 +65,33 @@ impl SetupRecord {
         ]
     }
 
-    /// The median of a picture's times, in milliseconds.
+    /// Milliseconds a picture: the default's, times how many times as long this took in the same rounds, so that what slowed the
+    /// machine for a while does not tell.
     pub fn frame(&self) -> f64 {
-        self.rounds.median(|round| round.own.frame())
+        self.usual_ms * self.ratio(Times::frame)
+    }
+
+    /// Milliseconds of each part of a picture, which together are [`Self::frame`].
+    pub fn parts(&self) -> [f64; 7] {
+        let parts = std::array::from_fn(|part| self.rounds.median(|round| round.own.parts()[part]));
+        let sum: f64 = parts.iter().sum();
+        parts.map(|ms| ms / sum * self.frame())
     }
 
     /// How many times as long as the default's a picture takes.
-    pub fn ratio(&self, of: impl Fn(&super::times::Times) -> f64) -> f64 {
+    pub fn ratio(&self, of: impl Fn(&Times) -> f64) -> f64 {
         self.rounds
             .median(|round| of(&round.own) / of(&round.usual))
     }
 }
 
 /// Measures one scene with each setup, in turn with the default.
-pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<SceneRecord> {
+pub fn measure(
+    subject: &Subject,
+    chosen: &Chosen,
+    protocol: &Protocol,
+    threads: usize,
+) -> Result<SceneRecord> {
     let scene = &subject.scene;
     let settings = RenderSettings {
         size: protocol.size,
@@ -84,7 +100,7 @@ pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<
     };
     let prepared = Prepared::new(Setup::plain(threads), scene, settings);
     let (facts, bvh) = Facts::new(&prepared, None)?;
-    let mut machine = Cpu::new(&prepared)?;
+    let mut machine = machine::open(chosen, &prepared)?;
     machine.frame()?;
     let plain = Plain {
         seen: facts.counts.seen,
@@ -94,28 +110,28 @@ pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<
     drop(machine);
 
     let usual = Prepared::new(Setup::usual(threads), scene, settings);
-    let mut machine = Cpu::new(&usual)?;
+    let mut machine = machine::open(chosen, &usual)?;
     let progress = output::bar(&format!("measuring {}", subject.name));
     let mut setups: Vec<SetupRecord> = Vec::new();
     let mut run = |list: Vec<(Knob, Setup)>, setups: &mut Vec<SetupRecord>| -> Result<()> {
         let all = (setups.len() + list.len() + protocol.crossed) as f64;
         for (knob, setup) in list {
+            if !machine::has(chosen, &setup, &usual.setup) {
+                continue;
+            }
             let prepared = Prepared::new(setup, scene, settings);
-            let both = (
-                &mut machine as &mut dyn Machine,
-                &mut Cpu::new(&prepared)? as _,
-            );
+            let mut own = machine::open(chosen, &prepared)?;
+            let both = (&mut *machine, &mut *own);
             let mut record = measure_one(&prepared, both, &plain, protocol)?;
             (record.knob, record.name) = (knob, setup.name(&usual.setup));
             setups.push(record);
             progress.set(setups.len() as f64 / all);
         }
+        settle(setups);
         Ok(())
     };
-    run(
-        Setup::one_at_a_time(threads, scene.lights.len()),
-        &mut setups,
-    )?;
+    let single = Setup::one_at_a_time(threads, scene.lights.len());
+    run(single, &mut setups)?;
     let crossed = candidates(&setups, protocol.crossed).into_iter();
     run(
         crossed.map(|setup| (Knob::Crossed, setup)).collect(),
@@ -124,8 +140,8 @@ pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<
     mark_front(&mut setups);
     let bounds = scene.mesh.bounds();
     Ok(SceneRecord {
-        name: subject.name,
-        backend: "cpu",
+        name: subject.name.clone(),
+        backend: machine::name(chosen),
         triangles: scene.mesh.indices.len(),
         vertices: scene.mesh.vertices.len(),
         lights: scene.lights.len(),
@@ -135,10 +151,31 @@ pub fn measure(subject: Subject, protocol: &Protocol, threads: usize) -> Result<
     })
 }
 
+/// All that was timed of the default, in turn with whatever, is the default's.
+fn settle(setups: &mut [SetupRecord]) {
+    let usual = |record: &SetupRecord| {
+        let rounds = record.rounds.0.iter();
+        rounds.map(|round| round.usual).collect::<Vec<_>>()
+    };
+    let rounds = setups.iter().skip(1).flat_map(usual);
+    let rounds: Vec<Round> = rounds.map(|usual| Round { usual, own: usual }).collect();
+    if rounds.is_empty() {
+        return;
+    }
+    let rounds = Rounds(rounds);
+    let usual_ms = rounds.median(|round| round.usual.frame());
+    for record in setups.iter_mut() {
+        record.usual_ms = usual_ms;
+    }
+    if let Some(first) = setups.first_mut() {
+        first.rounds = rounds;
+    }
+}
+
 /// Makes pictures with the default and with a setup in turn, and compares the last one.
 fn measure_one(
     prepared: &Prepared,
-    (usual, own): (&mut dyn Machine, &mut dyn Machine),
+    (usual, own): (&mut (dyn Machine + '_), &mut (dyn Machine + '_)),
     plain: &Plain,
     protocol: &Protocol,
 ) -> Result<SetupRecord> {
@@ -161,6 +198,7 @@ fn measure_one(
         setup: prepared.setup,
         name: String::new(),
         rounds,
+        usual_ms: f64::NAN,
         facts,
         peak_bytes: own.peak_bytes(),
         likeness,

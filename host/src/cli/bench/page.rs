@@ -122,7 +122,7 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
     let svg = bars(&single.collect::<Vec<_>>())?;
     let _ = write!(
         html,
-        "</div>\n<figure class=\"wide\"><figcaption>Milliseconds, medians</figcaption>{svg}</figure>\n"
+        "</div>\n<figure class=\"wide\"><figcaption>Milliseconds, beside what the default took in the same turns</figcaption>{svg}</figure>\n"
     );
     pictures(html, scene)?;
     *html += "<h3>All figures</h3>\n<p class=\"soft\">● marks what nothing is better than in time, bytes and error, of all that rebuild with \

@@ -141,6 +141,15 @@ impl Setup {
         }
     }
 
+    /// Whether there are kernels for its codecs.
+    #[cfg(feature = "gpu")]
+    pub fn has_kernels(&self) -> bool {
+        match self.nodes {
+            NodeCodec::F32 | NodeCodec::Printed => true,
+            NodeCodec::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
+        }
+    }
+
     /// Whether it should make the plain tree's picture, byte for byte.
     pub fn is_lossless(&self) -> bool {
         self.mesh == Triangles::Full

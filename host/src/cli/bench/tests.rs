@@ -5,6 +5,7 @@ use super::protocol::Protocol;
 use super::report::Report;
 use super::row::csv;
 use super::scenes::Subject;
+use crate::cli::backend::Chosen;
 
 const TINY: Protocol = Protocol {
     size: [48, 27],
@@ -15,7 +16,7 @@ const TINY: Protocol = Protocol {
 
 fn report() -> Report {
     let subject = Subject::new("shiny", TINY.size).unwrap();
-    let record = measure(subject, &TINY, 2).unwrap();
+    let record = measure(&subject, &Chosen::Cpu, &TINY, 2).unwrap();
     let machines = vec![("cpu", "a <machine> & \"its\" cores".to_owned())];
     Report::new(
         "slimbvh bench shiny".into(),

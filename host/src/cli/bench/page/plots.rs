@@ -8,8 +8,8 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Units of a drawing. About as wide as a phone, so that letters can be read on one.
-const WIDTH: u32 = 420;
-const HEIGHT: u32 = 300;
+const WIDTH: u32 = 360;
+const HEIGHT: u32 = 280;
 
 /// Colors that stand for others until the page puts its own in their place.
 const INK: RGBColor = RGBColor(1, 2, 3);
@@ -80,7 +80,7 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
             .y_labels(y_span.label_count())
             .x_label_formatter(&|x| x_span.label(*x))
             .y_label_formatter(&|y| y_span.label(*y))
-            .label_style(("sans-serif", 13).into_font().color(&INK))
+            .label_style(("sans-serif", 15).into_font().color(&INK))
             .x_desc(axes[0].name)
             .y_desc(axes[1].name)
             .draw()?;
@@ -102,7 +102,7 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
             .iter()
             .map(|record| Circle::new(place(record), 5, FRONT.filled()));
         chart.draw_series(dots)?;
-        let style = ("sans-serif", 14).into_font().color(&INK);
+        let style = ("sans-serif", 16).into_font().color(&INK);
         let style = style.pos(Pos::new(HPos::Left, VPos::Bottom));
         let numbers = (1..).zip(&on_front).map(|(number, record)| {
             let label = Text::new(number.to_string(), (5, -4), style.clone());
@@ -116,17 +116,17 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
 
 /// The parts of each setup's picture, side by side.
 pub fn bars(records: &[&SetupRecord]) -> Result<String> {
-    const NAMES: i32 = 172;
+    const NAMES: i32 = 178;
     const ROW: i32 = 22;
     let longest = records.iter().map(|record| record.frame());
     let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
-    let room = f64::from(WIDTH as i32 - NAMES - 46);
+    let room = f64::from(WIDTH as i32 - NAMES - 40);
     let length = |ms: f64| (ms / longest * room).round() as i32;
     let mut svg = String::new();
     {
         let height = (ROW * records.len() as i32 + 8) as u32;
         let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-        let font = ("sans-serif", 13).into_font().color(&INK);
+        let font = ("sans-serif", 14).into_font().color(&INK);
         let right = font.pos(Pos::new(HPos::Right, VPos::Center));
         let left = font.pos(Pos::new(HPos::Left, VPos::Center));
         for (row, record) in (0..).zip(records) {
@@ -138,8 +138,7 @@ pub fn bars(records: &[&SetupRecord]) -> Result<String> {
                 right.clone(),
             ))?;
             let mut sum = 0.0;
-            for part in 0..Times::PARTS.len() {
-                let ms = record.rounds.median(|round| round.own.parts()[part]);
+            for (part, ms) in record.parts().into_iter().enumerate() {
                 let (from, to) = (NAMES + length(sum), NAMES + length(sum + ms));
                 sum += ms;
                 if to > from {
