@@ -12,6 +12,7 @@ mod prepared;
 mod protocol;
 mod report;
 mod row;
+mod scaling;
 mod scenes;
 mod setup;
 #[cfg(test)]
@@ -27,7 +28,7 @@ use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use measure::measure;
 use protocol::Protocol;
-use report::{Report, check_folder};
+use report::{Measured, Report, check_folder};
 use scenes::Subject;
 use std::path::PathBuf;
 
@@ -48,6 +49,10 @@ pub struct BenchArguments {
     /// Half a minute for the default scene on two cores: small pictures, few repeats
     #[arg(long)]
     quick: bool,
+
+    /// Measure as well how costs grow with triangles, rays, lights and threads, on a generated terrain
+    #[arg(long)]
+    scaling: bool,
 
     /// Write a page with plots (index.html), bench.csv and bench.json into this folder, which is made if it is not there
     #[arg(long, value_name = "FOLDER")]
@@ -100,9 +105,14 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
             .flat_map(|subject| places.iter().map(move |place| (subject, place)));
         let records = pairs.map(|(subject, place)| measure(subject, place, &protocol, threads));
         let records = records.collect::<Result<_>>()?;
+        let mut scaling = Vec::new();
+        for place in places.iter().filter(|_| arguments.scaling) {
+            scaling.extend(scaling::measure(place, &protocol, threads)?);
+        }
+        let measured = Measured { records, scaling };
         let machines = places.iter().map(|place| describe(place, threads));
         let (command, machines) = (arguments.command(), machines.collect());
-        Ok(Report::new(command, machines, protocol, threads, records))
+        Ok(Report::new(command, machines, protocol, threads, measured))
     };
     let report = arguments.threads.run(work)??;
     output::print(&report.text())?;
@@ -148,8 +158,8 @@ impl BenchArguments {
                 .map_or(scene.clone(), |name| name.to_string_lossy().into_owned())
         };
         words.extend(self.scenes.iter().map(name));
-        if self.quick {
-            words.push("--quick".into());
+        for (flag, is_there) in [("--quick", self.quick), ("--scaling", self.scaling)] {
+            words.extend(is_there.then(|| flag.to_owned()));
         }
         if self.backend != [Place::Cpu] {
             let names = self.backend.iter().filter_map(ValueEnum::to_possible_value);

@@ -62,15 +62,14 @@ fn tell(scene: &SceneRecord) -> Vec<Told> {
             .flat_map(|record| nodes(record, usual, scene)),
     );
     told.extend(widths(scene, usual));
-    let half_a_pixel = Triangles::Lattice(Step::Pixels(0.5));
-    for mesh in [half_a_pixel, Triangles::Leaf10] {
-        let record = find(&|record| record.knob == Knob::Mesh && record.setup.mesh == mesh);
-        told.extend(
-            record
-                .into_iter()
-                .flat_map(|it| triangles(it, usual, scene)),
-        );
-    }
+    let of_mesh =
+        |mesh: Triangles| find(&|record| record.knob == Knob::Mesh && record.setup.mesh == mesh);
+    let coarse = of_mesh(Triangles::Lattice(Step::Pixels(0.5)));
+    let its = coarse.into_iter();
+    told.extend(its.flat_map(|record| triangles(record, usual, scene)));
+    let printed = of_mesh(Triangles::Leaf10);
+    let both = coarse.zip(printed);
+    told.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed, scene)));
     let reduced = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::On);
     told.extend(reduced.map(|record| reduction(record, scene)));
     let apart = find(&|record| record.knob == Knob::Lights);
@@ -153,6 +152,21 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
             scene.backend,
         ),
     ]
+}
+
+/// The lattice beside the codec of the literature.
+fn beside_printed(own: &SetupRecord, printed: &SetupRecord, scene: &SceneRecord) -> Told {
+    let bytes =
+        |record: &SetupRecord| record.facts.resident_bytes() as f64 / scene.triangles.max(1) as f64;
+    let [own_bytes, printed_bytes] = [own, printed].map(bytes);
+    let [own_error, printed_error] = [own, printed].map(|record| record.likeness.image_rmse);
+    let text = format!(
+        "Beside the codec of the literature (\"{}\") that is {own_bytes:.1} bytes a triangle instead of {printed_bytes:.1}, and a picture \
+         that is off by {own_error:.3} instead of {printed_error:.3}.",
+        printed.name
+    );
+    let wins = own_bytes <= printed_bytes && own_error <= printed_error;
+    (win_if(wins), text)
 }
 
 fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {

@@ -34,8 +34,8 @@ const TIME: Axis = Axis {
 };
 
 const BYTES: Axis = Axis {
-    name: "KiB of trees",
-    of: |record| record.facts.resident_bytes() as f64 / 1024.0,
+    name: "MiB of trees",
+    of: |record| record.facts.resident_bytes() as f64 / 1_048_576.0,
     scale: Scale::Linear,
 };
 
@@ -70,6 +70,9 @@ pub fn page(report: &Report) -> Result<String> {
     html += "</dl>\n";
     for scene in &report.records {
         section(&mut html, report, scene)?;
+    }
+    if !report.scaling.is_empty() {
+        growth(&mut html, report)?;
     }
     html += "</body></html>\n";
     Ok(html)
@@ -128,6 +131,30 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
     *html += "<h3>All figures</h3>\n<p class=\"soft\">● marks what nothing is better than in time, bytes and error, of all that rebuild with \
               as many threads.</p>\n";
     *html += &table::table(report.rows_of(scene));
+    Ok(())
+}
+
+/// How costs grow, with exponents.
+fn growth(html: &mut String, report: &Report) -> Result<()> {
+    *html += "<h2>How costs grow</h2>\n<p class=\"soft\">One whole tree over a terrain, nothing in a codec. The table has the powers that \
+              costs grow by, fitted by least squares to the logarithms.</p>\n<div class=\"legend\">";
+    for (part, name) in plots::GROWING {
+        let _ = write!(
+            html,
+            "<span><i style=\"background:var(--part{part})\"></i>{name}, ms</span>"
+        );
+    }
+    *html += "</div>\n<div class=\"cards\">";
+    for series in &report.scaling {
+        let (of, place) = (series.of, series.backend.to_uppercase());
+        let svg = plots::growth(series)?;
+        let _ = writeln!(
+            html,
+            "<figure><figcaption><b>{of}</b> on the {place}</figcaption>{svg}</figure>"
+        );
+    }
+    *html += "</div>\n<h3>Exponents</h3>\n";
+    *html += &table::exponents(&report.scaling);
     Ok(())
 }
 

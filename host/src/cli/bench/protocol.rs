@@ -13,6 +13,8 @@ pub struct Protocol {
     pub mirror_depth: u32,
     /// How many setups with several knobs moved are tried at most.
     pub crossed: usize,
+    /// How many terrains, each with four times as many triangles as the one before, costs are measured on as they grow.
+    pub terrains: usize,
 }
 
 impl Protocol {
@@ -21,6 +23,7 @@ impl Protocol {
         rounds: 7,
         mirror_depth: 4,
         crossed: 24,
+        terrains: 6,
     };
 
     /// For half a minute.
@@ -28,6 +31,7 @@ impl Protocol {
         size: [320, 180],
         rounds: 3,
         crossed: 6,
+        terrains: 4,
         ..Self::FULL
     };
 }

@@ -5,6 +5,7 @@ use super::measure::SceneRecord;
 use super::page::page;
 use super::protocol::Protocol;
 use super::row::{Row, csv};
+use super::scaling::{Exponent, Series};
 use crate::cli::measure::table::{Table, wrap};
 use crate::cli::output::{self, things};
 use anyhow::{Context, Result};
@@ -27,8 +28,17 @@ pub struct Report {
     pub protocol: Protocol,
     pub findings: Vec<Finding>,
     pub rows: Vec<Row>,
+    /// How costs grow, where that was asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub scaling: Vec<Series>,
     #[serde(skip)]
     pub records: Vec<SceneRecord>,
+}
+
+/// What a report is of.
+pub struct Measured {
+    pub records: Vec<SceneRecord>,
+    pub scaling: Vec<Series>,
 }
 
 /// Names of the files in the report's folder.
@@ -40,7 +50,7 @@ impl Report {
         machines: Vec<(&'static str, String)>,
         protocol: Protocol,
         threads: usize,
-        records: Vec<SceneRecord>,
+        Measured { records, scaling }: Measured,
     ) -> Self {
         let rows = records
             .iter()
@@ -54,6 +64,7 @@ impl Report {
             protocol,
             findings: records.iter().flat_map(findings).collect(),
             rows: rows.collect(),
+            scaling,
             records,
         }
     }
@@ -128,6 +139,16 @@ impl Report {
                     let _ = writeln!(text, "  {sign} {line}");
                 }
             }
+        }
+        for series in &self.scaling {
+            let grows = |it: &Exponent| format!("{} {:.2}", it.cost, it.exponent);
+            let all: Vec<String> = series.exponents.iter().map(grows).collect();
+            let (of, place) = (series.of, series.backend.to_uppercase());
+            let _ = writeln!(
+                text,
+                "\nwith more {of} on the {place} costs grow as to these powers: {}",
+                all.join(", ")
+            );
         }
         text
     }

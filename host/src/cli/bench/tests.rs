@@ -2,8 +2,9 @@ use super::findings::Verdict;
 use super::measure::measure;
 use super::page::{escaped, page};
 use super::protocol::Protocol;
-use super::report::Report;
+use super::report::{Measured, Report};
 use super::row::csv;
+use super::scaling;
 use super::scenes::Subject;
 use crate::cli::backend::Chosen;
 
@@ -12,19 +13,18 @@ const TINY: Protocol = Protocol {
     rounds: 1,
     mirror_depth: 2,
     crossed: 2,
+    terrains: 2,
 };
 
 fn report() -> Report {
     let subject = Subject::new("shiny", TINY.size).unwrap();
     let record = measure(&subject, &Chosen::Cpu, &TINY, 2).unwrap();
     let machines = vec![("cpu", "a <machine> & \"its\" cores".to_owned())];
-    Report::new(
-        "slimbvh bench shiny".into(),
-        machines,
-        TINY,
-        2,
-        vec![record],
-    )
+    let measured = Measured {
+        records: vec![record],
+        scaling: scaling::measure(&Chosen::Cpu, &TINY, 2).unwrap(),
+    };
+    Report::new("slimbvh bench shiny".into(), machines, TINY, 2, measured)
 }
 
 /// The page is XML, its pictures are in it, and nothing is loaded from anywhere.
@@ -43,9 +43,9 @@ fn the_page_is_whole_and_alone() {
             .filter(|node| node.has_tag_name(name))
             .count()
     };
-    assert_eq!(count("h2"), 1);
-    assert_eq!(count("svg"), 4);
-    assert_eq!(count("tr"), 1 + report.rows.len());
+    assert_eq!(count("h2"), 2);
+    assert_eq!(count("svg"), 4 + 4);
+    assert_eq!(count("tr"), 1 + report.rows.len() + 1 + 4);
     assert!(count("img") >= 2);
     for node in document.descendants() {
         for attribute in node.attributes() {

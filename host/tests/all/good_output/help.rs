@@ -188,6 +188,7 @@ fn help_for_bench() {
         "--help",
         "--out",
         "--quick",
+        "--scaling",
         "--threads",
     ];
     assert_eq!(options_in(&bench), expected, "{bench}");

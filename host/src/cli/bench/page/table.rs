@@ -2,6 +2,7 @@
 
 use super::super::findings::share;
 use super::super::row::Row;
+use super::super::scaling::{COSTS, Series};
 use super::escaped;
 use std::fmt::Write;
 
@@ -113,6 +114,27 @@ pub fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
         let _ = write!(html, "<tr{class}><th>{}</th>", escaped(&row.setup));
         for (_, _, of) in COLUMNS {
             let _ = write!(html, "<td>{}</td>", of(row));
+        }
+        html += "</tr>\n";
+    }
+    html += "</tbody></table></div>\n";
+    html
+}
+
+/// The powers that costs grow by.
+pub fn exponents(all: &[Series]) -> String {
+    let mut html = String::from("<div class=\"table\"><table><thead><tr><th>with more</th>");
+    for (cost, _) in COSTS {
+        let _ = write!(html, "<th>{cost}</th>");
+    }
+    html += "</tr></thead><tbody>\n";
+    for series in all {
+        let place = series.backend.to_uppercase();
+        let _ = write!(html, "<tr><th>{}, {place}</th>", series.of);
+        for (cost, _) in COSTS {
+            let fitted = series.exponents.iter().find(|it| it.cost == cost);
+            let cell = fitted.map_or(String::new(), |it| format!("{:.2}", it.exponent));
+            let _ = write!(html, "<td>{cell}</td>");
         }
         html += "</tr>\n";
     }
