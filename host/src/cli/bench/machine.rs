@@ -40,13 +40,7 @@ pub fn open<'a>(chosen: &'a Chosen, prepared: &'a Prepared) -> Result<Box<dyn Ma
 
 /// Whether what was chosen has this setup.
 pub fn has(chosen: &Chosen, setup: &Setup, usual: &Setup) -> bool {
-    match chosen {
-        Chosen::Cpu => true,
-        #[cfg(feature = "gpu")]
-        Chosen::Gpu(_) | Chosen::GpuIfItFits(_) => {
-            setup.is_comparable(usual) && setup.has_kernels()
-        }
-    }
+    matches!(chosen, Chosen::Cpu) || setup.is_comparable(usual) && setup.has_kernels()
 }
 
 /// Its name in tables.

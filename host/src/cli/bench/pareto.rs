@@ -1,9 +1,11 @@
 //! What nothing else is better than in every respect.
 
+use std::cmp::Ordering;
+
 /// Whether `a` is at least as good as `b` in all respects and better in one. Less is better; NaN is worse than anything.
 pub fn dominates(a: &[f64], b: &[f64]) -> bool {
     let pairs = || a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
-    pairs().all(|order| order.is_le()) && pairs().any(|order| order.is_lt())
+    pairs().all(Ordering::is_le) && pairs().any(Ordering::is_lt)
 }
 
 /// Which points no other dominates. Of equal points all are on the front, or none.

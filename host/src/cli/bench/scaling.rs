@@ -41,8 +41,11 @@ pub struct Exponent {
     pub exponent: f64,
 }
 
-/// Costs by name.
-pub const COSTS: [(&str, fn(&Point) -> f64); 5] = [
+/// A cost by name.
+pub type Cost = (&'static str, fn(&Point) -> f64);
+
+/// All that grow.
+pub const COSTS: [Cost; 5] = [
     ("build", |point| point.build_ms),
     ("primary", |point| point.primary_ms),
     ("shadow", |point| point.shadow_ms),

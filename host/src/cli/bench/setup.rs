@@ -142,7 +142,6 @@ impl Setup {
     }
 
     /// Whether there are kernels for its codecs.
-    #[cfg(feature = "gpu")]
     pub fn has_kernels(&self) -> bool {
         match self.nodes {
             NodeCodec::F32 | NodeCodec::Printed => true,

@@ -1,5 +1,6 @@
 //! In which codecs trees are measured.
 
+use crate::cli::measure::moves::snapped;
 use crate::cli::measure::step::Step;
 use crate::cli::measure::walks::node_bytes;
 use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
@@ -95,9 +96,10 @@ impl Method {
             Self::NodeMesh => prepared.config.mesh = MeshCodec::Leaf10,
             Self::LatticeMesh(step) => {
                 let step_exponent = step.exponent(scene, settings);
-                let moved = prepared.scene.to_mut().mesh.snap(step_exponent);
-                // Half a step along each of three axes.
-                prepared.moved = Some([moved, 0.866_026 * 2f32.powi(step_exponent)]);
+                let mesh = &mut prepared.scene.to_mut().mesh;
+                mesh.snap(step_exponent);
+                let moves = snapped(&scene.mesh.vertices, &mesh.vertices, step_exponent);
+                prepared.moved = Some([moves.most, moves.bound].map(|distance| distance as f32));
                 prepared.config.mesh = MeshCodec::Lattice { step_exponent };
             }
             Self::Plain | Self::Node | Self::Lattice(_) => {}
