@@ -7,15 +7,14 @@ use crate::cli::measure::walks::Walks;
 use crate::cli::reduce;
 use crate::cli::render::job;
 use anyhow::Result;
-use serde::Serialize;
 use slimbvh::reduce::{Saving, Savings};
-use slimbvh::{Bvh, MeshCodec};
+use slimbvh::{Builder, Bvh, MeshCodec};
 
 /// Of the trees of a picture, the same on every machine.
-#[derive(Clone, Debug, Serialize)]
 pub struct Facts {
     /// How many there are.
     pub trees: usize,
+    pub mesh_triangles: usize,
     /// Triangles in all of them.
     pub tree_triangles: usize,
     /// Bytes of all nodes.
@@ -29,8 +28,8 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// Builds all trees, none in turn, and follows all rays of the picture. `plain` is the whole tree in full.
-    pub fn new(prepared: &Prepared, plain: Option<&Bvh>) -> Result<(Self, Bvh)> {
+    /// Builds all trees, none in turn, and follows all rays of the picture.
+    pub fn new(prepared: &Prepared) -> Result<Self> {
         let mut cpu = job::Cpu::new(prepared.config);
         let mut room = None;
         let asked = prepared.asked(Savings::ALL.without(Saving::Turns));
@@ -40,20 +39,29 @@ impl Facts {
         let trees = cpu.trees(&plan);
         let counts = count(&prepared.scene, &Walks::new(&trees)?, &prepared.settings)?;
         let primary = trees.primary.bvh;
-        let moves = match (prepared.config.mesh, plain) {
-            (MeshCodec::Leaf10, Some(plain)) => moved(plain, &primary.decoded())?,
-            _ => prepared.moves,
+        let moves = match prepared.config.mesh {
+            MeshCodec::Leaf10 => {
+                let mut builder = Builder::new(prepared.config.code_bits.into());
+                let plain = builder.build(&prepared.scene.mesh)?;
+                moved(&plain, &primary.decoded())?
+            }
+            MeshCodec::F32 | MeshCodec::Lattice { .. } => prepared.moves,
         };
-        let facts = Self {
+        Ok(Self {
             trees: cpu.all(&plan).count(),
+            mesh_triangles: prepared.scene.mesh.indices.len(),
             tree_triangles: sum(Bvh::triangle_count),
             node_bytes: sum(Bvh::node_bytes),
             triangle_bytes: sum(Bvh::triangle_bytes),
             sah_cost: primary.sah_cost(),
             counts,
             moves,
-        };
-        Ok((facts, primary.clone()))
+        })
+    }
+
+    /// Of nodes and leaves, a triangle that is in a tree.
+    pub fn bytes_a_triangle(&self) -> f64 {
+        self.resident_bytes() as f64 / self.tree_triangles.max(1) as f64
     }
 
     /// Of all nodes and triangles in leaves.

@@ -69,7 +69,7 @@ fn tell(scene: &SceneRecord) -> Vec<Told> {
     told.extend(its.flat_map(|record| triangles(record, usual, scene)));
     let printed = of_mesh(Triangles::Leaf10);
     let both = coarse.zip(printed);
-    told.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed, scene)));
+    told.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed)));
     let reduced = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::On);
     told.extend(reduced.map(|record| reduction(record, scene)));
     let apart = find(&|record| record.knob == Knob::Lights);
@@ -122,12 +122,11 @@ fn widths(scene: &SceneRecord, usual: &SetupRecord) -> Option<Told> {
 }
 
 fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
-    let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
     let (name, likeness, moves) = (own.setup.mesh_name(), &own.likeness, &own.facts.moves);
     let size = format!(
         "With triangles of {name} and nodes that go with them, a tree takes {:.1} bytes a triangle, {} of the default's.",
-        bytes(own) / scene.triangles.max(1) as f64,
-        percent(bytes(own) / bytes(usual))
+        own.facts.bytes_a_triangle(),
+        percent(own.facts.bytes_a_triangle() / usual.facts.bytes_a_triangle())
     );
     let error = format!(
         "No vertex moves by more than {:.2e}, which is {} of the scene's diagonal, {} of pixels see another triangle, and the picture is \
@@ -138,7 +137,7 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
         likeness.image_rmse,
         likeness.ssim
     );
-    let is_small = bytes(own) < bytes(usual);
+    let is_small = own.facts.bytes_a_triangle() < usual.facts.bytes_a_triangle();
     vec![
         (win_if(is_small), size),
         (
@@ -155,9 +154,8 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
 }
 
 /// The lattice beside the codec of the literature.
-fn beside_printed(own: &SetupRecord, printed: &SetupRecord, scene: &SceneRecord) -> Told {
-    let bytes =
-        |record: &SetupRecord| record.facts.resident_bytes() as f64 / scene.triangles.max(1) as f64;
+fn beside_printed(own: &SetupRecord, printed: &SetupRecord) -> Told {
+    let bytes = |record: &SetupRecord| record.facts.bytes_a_triangle();
     let [own_bytes, printed_bytes] = [own, printed].map(bytes);
     let [own_error, printed_error] = [own, printed].map(|record| record.likeness.image_rmse);
     let text = format!(
@@ -257,7 +255,7 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
     };
     let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
     let text = format!(
-        "Of all that change no pixel, \"{}\" is the smallest, {:.1} bytes a triangle, {} of the default's; {fast}.",
+        "Of all that change no pixel, \"{}\" is the smallest, {:.1} bytes a triangle of the mesh, {} of the default's; {fast}.",
         smallest.name,
         bytes(smallest) / scene.triangles.max(1) as f64,
         percent(bytes(smallest) / bytes(usual)),

@@ -3,11 +3,10 @@
 use crate::cli::measure::paths::Seen;
 use anyhow::{Context, Result, ensure};
 use image_compare::Algorithm;
-use serde::Serialize;
 use slimbvh::Picture;
 
 /// Beside the plain tree's picture.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Likeness {
     /// The root of the mean square difference of 8-bit sRGB channels, 0 to 255.
     pub image_rmse: f64,

@@ -15,7 +15,7 @@ use crate::cli::measure::paths::Seen;
 use crate::cli::measure::rounds::Rounds;
 use crate::cli::output;
 use anyhow::Result;
-use slimbvh::{Bvh, Picture, RenderSettings};
+use slimbvh::{Picture, RenderSettings};
 
 /// What was measured of one scene on one machine.
 pub struct SceneRecord {
@@ -52,7 +52,6 @@ pub struct SetupRecord {
 /// What everything is compared with.
 struct Plain {
     seen: Vec<Seen>,
-    bvh: Bvh,
     picture: Picture,
 }
 
@@ -99,18 +98,18 @@ pub fn measure(
         ..RenderSettings::default()
     };
     let prepared = Prepared::new(Setup::plain(threads), scene, settings);
-    let (facts, bvh) = Facts::new(&prepared, None)?;
+    let facts = Facts::new(&prepared)?;
     let mut machine = machine::open(chosen, &prepared)?;
     machine.frame()?;
     let plain = Plain {
         seen: facts.counts.seen,
-        bvh,
         picture: machine.picture().clone(),
     };
     drop(machine);
 
     let usual = Prepared::new(Setup::usual(threads), scene, settings);
     let mut machine = machine::open(chosen, &usual)?;
+    machine.frame()?;
     let progress = output::bar(&format!("measuring {}", subject.name));
     let mut setups: Vec<SetupRecord> = Vec::new();
     let mut run = |list: Vec<(Knob, Setup)>, setups: &mut Vec<SetupRecord>| -> Result<()> {
@@ -180,16 +179,15 @@ fn measure_one(
     protocol: &Protocol,
 ) -> Result<SetupRecord> {
     let mut rounds = Rounds::default();
-    for round in 0..=protocol.rounds {
-        let times = Round {
+    // One before does not count. The default's is the last of the setup before.
+    own.frame()?;
+    for _ in 0..protocol.rounds {
+        rounds.0.push(Round {
             usual: usual.frame()?,
             own: own.frame()?,
-        };
-        if round > 0 {
-            rounds.0.push(times);
-        }
+        });
     }
-    let (mut facts, _) = Facts::new(prepared, Some(&plain.bvh))?;
+    let mut facts = Facts::new(prepared)?;
     let picture = own.picture();
     let seen = std::mem::take(&mut facts.counts.seen);
     let likeness = Likeness::new(picture, &plain.picture, [&seen, &plain.seen])?;

@@ -34,8 +34,8 @@ const TIME: Axis = Axis {
 };
 
 const BYTES: Axis = Axis {
-    name: "MiB of trees",
-    of: |record| record.facts.resident_bytes() as f64 / 1_048_576.0,
+    name: "bytes a triangle of the mesh",
+    of: |record| record.facts.resident_bytes() as f64 / record.facts.mesh_triangles.max(1) as f64,
     scale: Scale::Linear,
 };
 

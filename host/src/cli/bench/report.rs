@@ -209,15 +209,20 @@ pub fn check_folder(folder: &Path) -> Result<()> {
 
 /// Where the sources are now that this was built from: the commit, and whether anything was changed since.
 fn commit() -> Option<String> {
-    let mut git = Command::new("git");
-    git.args(["-C", env!("CARGO_MANIFEST_DIR")]);
-    git.args([
+    let git = |arguments: &[&str]| {
+        let mut git = Command::new("git");
+        git.args(["-C", env!("CARGO_MANIFEST_DIR")]).args(arguments);
+        let output = git.output().ok().filter(|output| output.status.success())?;
+        String::from_utf8(output.stdout).ok()
+    };
+    // Another repository around a copy of the sources says nothing of them.
+    git(&["ls-files", "--error-unmatch", "Cargo.toml"])?;
+    let describe = [
         "describe",
         "--always",
         "--dirty=, with changes",
         "--abbrev=10",
-    ]);
-    let output = git.output().ok().filter(|output| output.status.success())?;
-    let text = String::from_utf8(output.stdout).ok()?;
+    ];
+    let text = git(&describe)?;
     Some(text.trim().to_owned()).filter(|text| !text.is_empty())
 }

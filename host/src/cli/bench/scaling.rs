@@ -165,7 +165,7 @@ fn point(
         }
     }
     drop(machine);
-    let (facts, _) = Facts::new(&prepared, None)?;
+    let facts = Facts::new(&prepared)?;
     Ok(Point {
         amount,
         build_ms: rounds.median(|times| times.build),

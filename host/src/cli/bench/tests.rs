@@ -1,12 +1,16 @@
+use super::facts::Facts;
 use super::findings::Verdict;
 use super::measure::measure;
 use super::page::{escaped, page};
+use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::report::{Measured, Report};
 use super::row::csv;
 use super::scaling;
 use super::scenes::Subject;
+use super::setup::{Setup, Triangles};
 use crate::cli::backend::Chosen;
+use slimbvh::{CodeBits, NodeCodec, RenderSettings};
 
 const TINY: Protocol = Protocol {
     size: [48, 27],
@@ -146,4 +150,80 @@ fn setups_are_what_they_are_called() {
             .iter()
             .all(|it| it.verdict != Verdict::Fails)
     );
+}
+
+/// The printed codec goes with codes of either length, though these put triangles in another order.
+#[test]
+fn corners_of_ten_bits_are_compared_in_any_order() {
+    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let mut moves = Vec::new();
+    for codes in [CodeBits::Bits30, CodeBits::Bits63] {
+        let setup = Setup {
+            nodes: NodeCodec::Printed,
+            mesh: Triangles::Leaf10,
+            codes,
+            ..Setup::plain(2)
+        };
+        assert!(setup.is_possible());
+        let settings = RenderSettings {
+            size: TINY.size,
+            ..RenderSettings::default()
+        };
+        let prepared = Prepared::new(setup, &subject.scene, settings);
+        moves.push(Facts::new(&prepared).unwrap().moves);
+    }
+    assert!(
+        moves.iter().all(|it| it.rms > 0.0 && it.most <= it.bound),
+        "{moves:?}"
+    );
+}
+
+/// A GPU, any. Without one the test is skipped, loudly, unless `REQUIRE_GPU` forbids it.
+#[cfg(feature = "gpu")]
+fn any_gpu() -> Option<slimbvh::gpu::Gpu> {
+    use slimbvh::gpu::{AdapterChoice, Gpu, adapters};
+    let Some(adapter) = adapters().into_iter().next() else {
+        let is_required = std::env::var_os("REQUIRE_GPU").is_some_and(|value| value != "0");
+        assert!(!is_required, "REQUIRE_GPU, but there is none");
+        eprintln!("THE TEST OF BENCH ON A GPU IS SKIPPED: there is none");
+        return None;
+    };
+    Some(Gpu::open(&AdapterChoice::Named(adapter.name)).unwrap())
+}
+
+/// On a GPU there are those that it has kernels for, and they keep their promises there, too.
+#[cfg(feature = "gpu")]
+#[test]
+fn setups_on_a_gpu() {
+    let Some(gpu) = any_gpu() else { return };
+    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let protocol = Protocol { crossed: 0, ..TINY };
+    let record = measure(&subject, &Chosen::Gpu(gpu), &protocol, 2).unwrap();
+    assert_eq!(record.backend, "gpu");
+    let names: Vec<&str> = record.setups.iter().map(|it| it.name.as_str()).collect();
+    let expected = [
+        "default",
+        "reduce off",
+        "reduce on",
+        "reduce on, lights apart",
+        "nodes printed",
+        "nodes q10",
+        "nodes q21",
+        "nodes printed, mesh leaf10",
+        "nodes q10, mesh lattice",
+        "nodes q10, mesh lattice 0.1px",
+        "nodes q10, mesh lattice 0.5px",
+        "nodes q10, mesh lattice 2px",
+        "63-bit codes",
+    ];
+    assert_eq!(names, expected);
+    for it in &record.setups {
+        assert!(
+            it.frame() > 0.0 && it.peak_bytes > it.facts.resident_bytes(),
+            "{}",
+            it.name
+        );
+        let is_same = it.likeness.changed_pixels == 0.0;
+        assert!(is_same || !it.setup.is_lossless(), "{}", it.name);
+    }
 }
