@@ -91,7 +91,8 @@ fn tell(scene: &SceneRecord) -> Vec<Told> {
 fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
     let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
     let of_nodes = |record: &SetupRecord| record.facts.node_bytes as f64;
-    let (share, stored) = (read(own) / read(usual), of_nodes(own) / of_nodes(usual));
+    let share = quotient(read(own), read(usual));
+    let stored = quotient(of_nodes(own), of_nodes(usual));
     vec![
         (
             win_if(share < 1.0),
@@ -126,13 +127,16 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
     let size = format!(
         "With triangles of {name} and nodes that go with them, a tree takes {:.1} bytes a triangle, {} of the default's.",
         own.facts.bytes_a_triangle(),
-        percent(own.facts.bytes_a_triangle() / usual.facts.bytes_a_triangle())
+        percent(quotient(
+            own.facts.bytes_a_triangle(),
+            usual.facts.bytes_a_triangle()
+        ))
     );
     let error = format!(
         "No vertex moves by more than {:.2e}, which is {} of the scene's diagonal, {} of pixels see another triangle, and the picture is \
          off by {:.3} of 255 (SSIM {:.5}).",
         moves.most,
-        share(moves.most / f64::from(scene.diagonal)),
+        share(moves.most / f64::from(scene.diagonal.max(f32::MIN_POSITIVE))),
         share(likeness.changed_primitives),
         likeness.image_rmse,
         likeness.ssim
@@ -258,7 +262,7 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
         "Of all that change no pixel, \"{}\" is the smallest, {:.1} bytes a triangle of the mesh, {} of the default's; {fast}.",
         smallest.name,
         bytes(smallest) / scene.triangles.max(1) as f64,
-        percent(bytes(smallest) / bytes(usual)),
+        percent(quotient(bytes(smallest), bytes(usual))),
     );
     (win_if(is_faster || bytes(smallest) < bytes(usual)), text)
 }
@@ -304,6 +308,14 @@ fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> To
         place.to_uppercase()
     );
     (win_if(ratio < 1.0 && clear.is_empty()), text)
+}
+
+/// How many times as much; as much where there is nothing.
+fn quotient(own: f64, usual: f64) -> f64 {
+    match usual > 0.0 {
+        true => own / usual,
+        false => 1.0,
+    }
 }
 
 /// Whether all rounds say the same of a time.

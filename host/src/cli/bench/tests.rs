@@ -10,7 +10,7 @@ use super::scaling;
 use super::scenes::Subject;
 use super::setup::{Setup, Triangles};
 use crate::cli::backend::Chosen;
-use slimbvh::{CodeBits, NodeCodec, RenderSettings};
+use slimbvh::{CodeBits, Mesh, NodeCodec, RenderSettings, Scene};
 
 const TINY: Protocol = Protocol {
     size: [48, 27],
@@ -150,6 +150,37 @@ fn setups_are_what_they_are_called() {
             .iter()
             .all(|it| it.verdict != Verdict::Fails)
     );
+}
+
+/// Where there is next to nothing to measure, nothing is said that is not a number.
+#[test]
+fn one_triangle_that_nobody_sees() {
+    let mut scene = Scene {
+        mesh: Mesh {
+            vertices: vec![[1.0, 2.0, 3.0], [5.0, 2.0, 3.0], [1.0, 4.0, 3.0]],
+            indices: vec![[0, 1, 2]],
+            ..Mesh::default()
+        },
+        ..Scene::default()
+    };
+    scene.complete(scene.mesh.bounds(), TINY.size);
+    let camera = &mut scene.cameras[0];
+    camera.target = [0, 1, 2].map(|axis| 2.0 * camera.eye[axis] - camera.target[axis]);
+    let name = "one triangle".into();
+    let subject = Subject { name, scene };
+    let measured = Measured {
+        records: vec![measure(&subject, &Chosen::Cpu, &TINY, 1).unwrap()],
+        scaling: Vec::new(),
+    };
+    let report = Report::new("slimbvh bench".into(), Vec::new(), TINY, 1, measured);
+    for text in [report.text(), page(&report).unwrap()] {
+        assert!(
+            !text.contains("NaN") && !text.contains(">inf") && !text.contains(" inf"),
+            "{text}"
+        );
+    }
+    let json = serde_json::to_string(&report.rows).unwrap();
+    assert!(!json.contains("null"), "{json}");
 }
 
 /// The printed codec goes with codes of either length, though these put triangles in another order.
