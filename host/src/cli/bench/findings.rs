@@ -1,12 +1,17 @@
 //! What the figures say, in sentences.
 
+mod words;
+
+pub use words::{percent, share};
+
 use super::measure::{SceneRecord, SetupRecord};
 use super::setup::{Knob, Triangles};
-use super::times::{Round, Times};
+use super::times::Times;
 use crate::cli::measure::step::Step;
 use serde::Serialize;
 use slimbvh::reduce::Reduce;
 use slimbvh::{CodeBits, LatticeBits, NodeCodec};
+use words::{NOTHING, Told, compared, in_words, is_clear, quotient, time, win_if};
 
 /// What a sentence says of slimbvh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -31,9 +36,6 @@ pub struct Finding {
     pub text: String,
 }
 
-/// Less than this share of a time is not told from none, whatever the spread.
-const NOTHING: f64 = 0.03;
-
 /// All sentences about a scene.
 pub fn findings(scene: &SceneRecord) -> Vec<Finding> {
     let told = tell(scene).into_iter().map(|(verdict, text)| Finding {
@@ -44,8 +46,6 @@ pub fn findings(scene: &SceneRecord) -> Vec<Finding> {
     });
     told.collect()
 }
-
-type Told = (Verdict, String);
 
 fn tell(scene: &SceneRecord) -> Vec<Told> {
     let Some(usual) = scene.setups.first() else {
@@ -294,97 +294,4 @@ fn same(scene: &SceneRecord) -> Told {
         names.join(", ")
     );
     (Verdict::Fails, text)
-}
-
-/// What a part of the time does, beside the default's.
-fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> Told {
-    let ratio = own.ratio(of);
-    let clear = match is_clear(own, of) {
-        true => "",
-        false => ", which is within the spread of these runs",
-    };
-    let text = format!(
-        "{what} takes {ratio:.2} times the default's time on this {}{clear}.",
-        place.to_uppercase()
-    );
-    (win_if(ratio < 1.0 && clear.is_empty()), text)
-}
-
-/// How many times as much; as much where there is nothing.
-fn quotient(own: f64, usual: f64) -> f64 {
-    match usual > 0.0 {
-        true => own / usual,
-        false => 1.0,
-    }
-}
-
-/// Whether all rounds say the same of a time.
-fn is_clear(own: &SetupRecord, of: fn(&Times) -> f64) -> bool {
-    let ratio = |round: &Round| of(&round.own) / of(&round.usual);
-    let faster = own
-        .rounds
-        .0
-        .iter()
-        .all(|round| ratio(round) < 1.0 - NOTHING);
-    let slower = own
-        .rounds
-        .0
-        .iter()
-        .all(|round| ratio(round) > 1.0 + NOTHING);
-    faster || slower
-}
-
-fn win_if(wins: bool) -> Verdict {
-    match wins {
-        true => Verdict::Wins,
-        false => Verdict::Loses,
-    }
-}
-
-/// How long a part takes beside the default's, in words.
-fn compared(own: &SetupRecord, of: fn(&Times) -> f64) -> String {
-    match is_clear(own, of) {
-        true => in_words(own.ratio(of)),
-        false => "in about the same time".into(),
-    }
-}
-
-/// A ratio of times in words.
-fn in_words(ratio: f64) -> String {
-    match ratio {
-        ratio if ratio < 1.0 - NOTHING => format!("in {} of the time", percent(ratio)),
-        ratio if ratio > 1.0 + NOTHING => format!("in {ratio:.2} times the time"),
-        _ => "in the same time".into(),
-    }
-}
-
-/// A share that is not small.
-pub fn percent(share: f64) -> String {
-    format!("{:.0} %", 100.0 * share)
-}
-
-/// A share that may be small.
-pub fn share(share: f64) -> String {
-    match 100.0 * share {
-        0.0 => "0 %".into(),
-        percent if percent >= 0.01 => format!("{percent:.2} %"),
-        percent => format!("{percent:.1e} %"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ratios_and_shares_in_words() {
-        assert_eq!(in_words(0.5), "in 50 % of the time");
-        assert_eq!(in_words(1.01), "in the same time");
-        assert_eq!(in_words(2.0), "in 2.00 times the time");
-        assert_eq!((percent(0.27), share(0.0)), ("27 %".into(), "0 %".into()));
-        assert_eq!(
-            (share(0.0123), share(1e-6)),
-            ("1.23 %".into(), "1.0e-4 %".into())
-        );
-    }
 }

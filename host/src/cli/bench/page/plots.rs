@@ -1,8 +1,13 @@
 //! Plots as SVG, in colors that the page chooses.
 
+mod bars;
+mod growth;
+
+pub use bars::bars;
+pub use growth::{GROWING, growth};
+
 use super::super::measure::SetupRecord;
 use super::super::pareto::front;
-use super::super::scaling::{COSTS, Series};
 use super::super::times::Times;
 use anyhow::Result;
 use plotters::prelude::*;
@@ -115,126 +120,6 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
     Ok(themed(&svg))
 }
 
-/// The parts of each setup's picture, side by side.
-pub fn bars(records: &[&SetupRecord]) -> Result<String> {
-    const NAMES: i32 = 178;
-    const ROW: i32 = 22;
-    let longest = records.iter().map(|record| record.frame());
-    let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
-    let room = f64::from(WIDTH as i32 - NAMES - 40);
-    let length = |ms: f64| (ms / longest * room).round() as i32;
-    let mut svg = String::new();
-    {
-        let height = (ROW * records.len() as i32 + 8) as u32;
-        let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-        let font = ("sans-serif", 14).into_font().color(&INK);
-        let right = font.pos(Pos::new(HPos::Right, VPos::Center));
-        let left = font.pos(Pos::new(HPos::Left, VPos::Center));
-        for (row, record) in (0..).zip(records) {
-            let top = ROW * row + 4;
-            let middle = top + ROW / 2;
-            root.draw(&Text::new(
-                record.name.clone(),
-                (NAMES - 6, middle),
-                right.clone(),
-            ))?;
-            let mut sum = 0.0;
-            for (part, ms) in record.parts().into_iter().enumerate() {
-                let (from, to) = (NAMES + length(sum), NAMES + length(sum + ms));
-                sum += ms;
-                if to > from {
-                    let corners = [(from, top + 3), (to, top + ROW - 3)];
-                    root.draw(&Rectangle::new(corners, part_color(part).filled()))?;
-                }
-            }
-            let end = NAMES + length(sum) + 5;
-            root.draw(&Text::new(format!("{sum:.1}"), (end, middle), left.clone()))?;
-        }
-        root.present()?;
-    }
-    Ok(themed(&svg))
-}
-
-/// What is drawn as it grows: a part's color, and its name among the costs.
-pub const GROWING: [(usize, &str); 3] = [(1, "build"), (3, "primary"), (4, "shadow")];
-
-/// Times along powers of ten of what grows.
-pub fn growth(series: &Series) -> Result<String> {
-    let line = |name: &str| {
-        let cost = COSTS.iter().find(|(cost, _)| *cost == name);
-        let points = series.points.iter().filter_map(|point| {
-            let (_, of) = cost?;
-            Some((point.amount as f64, of(point)))
-        });
-        let above = points.filter(|(amount, cost)| *amount > 0.0 && *cost > 0.0);
-        above
-            .map(|(amount, cost)| (amount.log10(), cost.log10()))
-            .collect::<Vec<_>>()
-    };
-    let lines = GROWING.map(|(part, name)| (part, line(name)));
-    let all = || lines.iter().flat_map(|(_, line)| line);
-    let mut svg = String::new();
-    {
-        let root = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
-        let mut chart = ChartBuilder::on(&root)
-            .margin(6)
-            .margin_right(14)
-            .x_label_area_size(44)
-            .y_label_area_size(52)
-            .build_cartesian_2d(
-                around(all().map(|point| point.0)),
-                around(all().map(|point| point.1)),
-            )?;
-        let label = |power: &f64| rounded(10f64.powf(*power));
-        chart
-            .configure_mesh()
-            .axis_style(INK)
-            .bold_line_style(FAINT.mix(0.4))
-            .light_line_style(TRANSPARENT)
-            .x_labels(4)
-            .y_labels(5)
-            .x_label_formatter(&label)
-            .y_label_formatter(&label)
-            .label_style(("sans-serif", 15).into_font().color(&INK))
-            .x_desc(series.of)
-            .y_desc("ms")
-            .draw()?;
-        for (part, line) in lines {
-            let color = part_color(part);
-            let dots = line
-                .iter()
-                .map(|&point| Circle::new(point, 4, color.filled()));
-            chart.draw_series(dots)?;
-            chart.draw_series([PathElement::new(line, color.stroke_width(2))])?;
-        }
-        root.present()?;
-    }
-    Ok(themed(&svg))
-}
-
-/// All values with a little room, or something where there are none.
-fn around(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for value in values {
-        (low, high) = (low.min(value), high.max(value));
-    }
-    match low <= high {
-        true => low - 0.08..high + 0.08,
-        false => 0.0..1.0,
-    }
-}
-
-/// Two digits, with thousands and millions as letters.
-fn rounded(value: f64) -> String {
-    let (value, letter) = match value {
-        value if value >= 1e6 => (value / 1e6, "M"),
-        value if value >= 1e3 => (value / 1e3, "k"),
-        value => (value, ""),
-    };
-    let digits = (1 - value.log10().floor() as i32).max(0) as usize;
-    format!("{value:.digits$}{letter}")
-}
-
 /// Where values are on an axis.
 struct Span {
     scale: Scale,
@@ -309,15 +194,4 @@ fn themed(svg: &str) -> String {
         svg = svg.replace(&hex(part_color(part)), &format!("var(--part{part})"));
     }
     svg
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn labels_have_two_digits() {
-        let labels = [0.034, 1.0, 25.1, 316.0, 1585.0, 1e6].map(rounded);
-        assert_eq!(labels, ["0.034", "1.0", "25", "316", "1.6k", "1.0M"]);
-    }
 }
