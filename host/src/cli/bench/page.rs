@@ -137,7 +137,7 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
 /// How costs grow, with exponents.
 fn growth(html: &mut String, report: &Report) -> Result<()> {
     *html += "<h2>How costs grow</h2>\n<p class=\"soft\">One whole tree over a terrain, nothing in a codec. The table has the powers that \
-              costs grow by, fitted by least squares to the logarithms.</p>\n<div class=\"legend\">";
+              costs grow by, fitted by least squares to the logarithms; with threads, -1 would be perfect.</p>\n<div class=\"legend\">";
     for (part, name) in plots::GROWING {
         let _ = write!(
             html,

@@ -20,9 +20,9 @@ pub struct Protocol {
 impl Protocol {
     pub const FULL: Self = Self {
         size: [1280, 720],
-        rounds: 7,
+        rounds: 5,
         mirror_depth: 4,
-        crossed: 24,
+        crossed: 12,
         terrains: 6,
     };
 
