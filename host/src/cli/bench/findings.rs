@@ -175,6 +175,10 @@ fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {
     let (whole, planned) = (own.ratio(Times::frame), own.ratio(Times::planned));
     let plan = own.rounds.median(|round| round.own.plan);
     let kept = own.facts.tree_triangles as f64 / scene.triangles.max(1) as f64;
+    if own.facts.trees == 1 && own.facts.tree_triangles == scene.triangles {
+        let text = "Nothing may be left out of this scene's tree, even where that is asked for.";
+        return (Verdict::Loses, text.into());
+    }
     let trees = crate::cli::output::things(own.facts.trees, "tree");
     let text = format!(
         "Trees without what their rays cannot hit ({trees} with {} of the triangles in all) make a picture {}; finding out what may be left out \
