@@ -15,6 +15,15 @@ pub struct BackendArguments {
 }
 
 impl BackendArguments {
+    /// A GPU, the one with this in its name if there is one.
+    #[cfg(feature = "report")]
+    pub fn gpu(adapter: Option<String>) -> Self {
+        Self {
+            backend: Backend::Gpu,
+            adapter,
+        }
+    }
+
     /// As they are written on the command line.
     pub fn words(&self) -> Vec<String> {
         let backend = self.backend.to_possible_value();

@@ -4,8 +4,11 @@
 mod adapters;
 mod animate;
 mod backend;
+#[cfg(feature = "report")]
+mod bench;
 mod build;
 mod info;
+mod measure;
 mod output;
 mod picture;
 mod reduce;
@@ -45,6 +48,9 @@ enum Command {
     Build(build::BuildArguments),
     /// Tell what is in a scene: counts, extents, which parts are closed
     Info(info::InfoArguments),
+    /// Measure every knob on scenes of yours: times, bytes, errors, and which settings nothing is better than
+    #[cfg(feature = "report")]
+    Bench(bench::BenchArguments),
     /// Measure what a paper's tables show, and print ours beside the printed figures
     Reproduce(reproduce::ReproduceArguments),
     /// Trace scenes and rays that break tracers, and judge every answer by exact ones
@@ -142,6 +148,8 @@ pub fn run(arguments: Arguments) -> Result<ExitCode> {
         Command::Animate(arguments) => animate::run(&arguments)?,
         Command::Build(arguments) => build::run(&arguments)?,
         Command::Info(arguments) => info::run(&arguments)?,
+        #[cfg(feature = "report")]
+        Command::Bench(arguments) => bench::run(&arguments)?,
         Command::Reproduce(arguments) => reproduce::run(&arguments)?,
         Command::Stress(arguments) => return stress::run(&arguments),
     }

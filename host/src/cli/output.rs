@@ -92,15 +92,21 @@ pub fn write_json(path: &Path, value: &impl Serialize) -> Result<()> {
 
 /// Writes a picture as an 8-bit sRGB PNG.
 pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
+    let size = [picture.width, picture.height];
+    write_whole(path, &png_bytes(size, &picture.to_srgb())?)
+}
+
+/// An 8-bit sRGB PNG of so many pixels, three bytes each.
+pub fn png_bytes([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, picture.width, picture.height);
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&picture.to_srgb())?;
+    writer.write_image_data(pixels)?;
     writer.finish()?;
-    write_whole(path, &bytes)
+    Ok(bytes)
 }
 
 /// Writes a file so that it is there whole or not at all.

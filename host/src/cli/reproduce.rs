@@ -9,11 +9,9 @@ mod measure;
 mod printed;
 mod protocol;
 mod report;
-mod rounds;
 mod savings;
 mod scenes;
 mod sheet;
-mod table;
 mod tables;
 mod times;
 mod verdicts;
@@ -29,9 +27,7 @@ use report::Report;
 use scenes::Subject;
 use serde::Serialize;
 use sheet::Sheet;
-pub use sheet::processor;
 use std::path::{Path, PathBuf};
-pub use table::{Table, wrap};
 
 /// The environment variable that names the folder of scene files.
 const SCENES_VARIABLE: &str = "SLIMBVH_SCENES";

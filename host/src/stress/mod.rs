@@ -28,7 +28,7 @@ mod tracer;
 pub use bound::{BOUND_ULPS, LEAST_SHARE, ULP, bound, steepness};
 pub use families::{Case, cases};
 pub use judge::{Answer, Fault, Judge, Shot, Verdict};
-pub use moves::{MoveError, moved};
+pub use moves::{MoveError, Moves, moved, snapped};
 pub use rays::{Rays, rays};
 pub use recipe::{Aim, Face, Range, RayRecipe, Start};
 pub use row::Row;

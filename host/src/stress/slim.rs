@@ -164,7 +164,8 @@ pub fn facts(prepared: &Prepared, storage: Storage, bvh: &Bvh) -> Result<Facts, 
     }
     let moved = if storage.is_leaf10() {
         let plain = Builder::new(prepared.config.code_bits.into()).build(mesh)?;
-        Some(moved(&plain, &decoded)?.map(f64::from))
+        let moves = moved(&plain, &decoded)?;
+        Some([moves.most, moves.bound])
     } else {
         prepared.moved
     };

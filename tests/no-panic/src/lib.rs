@@ -14,9 +14,9 @@ use slimbvh_core::decide::{
 };
 use slimbvh_core::encode::{
     EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeNodes, LatticeTriangles,
-    LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes, PrintedTriangle,
-    PrintedTriangles, RootWords, RoundedNode, decode_node, decode_printed_node, encode_printed_triangle,
-    encode_triangle, links_of, node_bounds, scaled_step, with_links,
+    LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes,
+    PrintedTriangle, PrintedTriangles, RootWords, RoundedNode, decode_node, decode_printed_node,
+    encode_printed_triangle, encode_triangle, links_of, node_bounds, scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
 use slimbvh_core::lattice::LatticeBox;

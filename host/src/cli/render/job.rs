@@ -3,6 +3,7 @@
 use crate::cli::output;
 use crate::cli::reduce::SetCounts;
 use anyhow::Result;
+use slimbvh::animate::Action;
 use slimbvh::reduce::{Done, Hierarchies, Plan};
 use slimbvh::{
     BuildConfig, Builder, Bvh, LeafTriangle, Node, Picture, RenderReport, RenderSettings, Renderer,
@@ -38,13 +39,43 @@ pub struct Cpu {
     renderer: Renderer,
 }
 
+impl Cpu {
+    /// Nothing built yet.
+    pub fn new(config: BuildConfig) -> Self {
+        Self {
+            builder: Builder::new(config),
+            ..Self::default()
+        }
+    }
+}
+
+#[cfg(feature = "report")]
+impl Cpu {
+    /// Builds a plan's trees, and renders nothing.
+    pub fn build(&mut self, mesh: &slimbvh::Mesh, plan: &Plan) -> Result<Stages> {
+        Ok(self.hierarchies.build(&mut self.builder, mesh, plan)?)
+    }
+
+    /// The trees of a plan that builds none in turn, after a build with it.
+    pub fn trees<'a>(&'a self, plan: &'a Plan) -> slimbvh::Trees<'a> {
+        self.hierarchies.trees(plan)
+    }
+
+    /// All that were built, each once.
+    pub fn all<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = &'a Bvh> {
+        self.hierarchies.all(plan)
+    }
+
+    /// Bytes of all memory that is held: trees, and what builds and renders.
+    pub fn held_bytes(&self) -> usize {
+        self.hierarchies.bytes() + self.builder.scratch_bytes() + self.renderer.scratch_bytes()
+    }
+}
+
 impl Job<'_> {
     /// Builds and renders on this machine's cores.
     pub fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
-        let mut cpu = Cpu {
-            builder: Builder::new(self.config),
-            ..Cpu::default()
-        };
+        let mut cpu = Cpu::new(self.config);
         let progress = output::bar("rendering");
         self.again_on_cpu(&mut cpu, picture, |share| progress.set(share))
     }
@@ -56,13 +87,24 @@ impl Job<'_> {
         picture: &mut Picture,
         show: impl FnMut(f64),
     ) -> Result<Outcome> {
+        self.update_on_cpu(cpu, picture, Action::Rebuilt, show)
+    }
+
+    /// [`Self::again_on_cpu`] with trees that are brought up to date, which must be of the same mesh and the same plan.
+    pub fn update_on_cpu(
+        &self,
+        cpu: &mut Cpu,
+        picture: &mut Picture,
+        action: Action,
+        show: impl FnMut(f64),
+    ) -> Result<Outcome> {
         let Cpu {
             builder,
             hierarchies,
             renderer,
         } = cpu;
         let (mesh, plan) = (&self.scene.mesh, self.plan);
-        let mut build = hierarchies.build(builder, mesh, plan)?;
+        let mut build = hierarchies.update(builder, mesh, plan, action)?;
         let mut in_turn = Done::default();
         let report = if plan.in_turn {
             let (trees, mut turns) = hierarchies.split(builder, mesh, plan);

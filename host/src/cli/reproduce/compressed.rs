@@ -1,13 +1,11 @@
 //! `slimbvh reproduce compressed`.
 
 mod bench;
-mod counts;
 mod cracks;
 mod frames;
 mod machine;
 mod measure;
 mod methods;
-mod paths;
 mod printed;
 mod protocol;
 mod report;

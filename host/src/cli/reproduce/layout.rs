@@ -2,8 +2,8 @@
 
 use super::aim::Aim;
 use super::machine::Machine;
-use super::rounds::Rounds;
 use super::times::{Build, Picture};
+use crate::cli::measure::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::RenderSettings;

@@ -3,10 +3,13 @@
 use super::ReducedArguments;
 use super::measure::SceneRecord;
 use super::protocol::Protocol;
-use super::sheet::{Sheet, processor};
+use super::sheet::Sheet;
 use super::tables::tables;
 use super::verdicts::{Verdict, verdicts};
 use crate::cli::backend::Chosen;
+#[cfg(feature = "gpu")]
+use crate::cli::measure::machine::adapter;
+use crate::cli::measure::machine::processor;
 use crate::cli::output::{count, things};
 use serde::Serialize;
 
@@ -141,16 +144,4 @@ impl Report {
 
 fn list(parts: impl Iterator<Item = String>) -> String {
     parts.collect::<Vec<_>>().join(", ")
-}
-
-/// A GPU's name, and whether it is one.
-#[cfg(feature = "gpu")]
-pub fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
-    let name = gpu.name();
-    match gpu.device().adapter_info().device_type {
-        wgpu::DeviceType::Cpu => {
-            format!("{name}, a CPU that plays a GPU: the times say nothing about one")
-        }
-        _ => name.to_owned(),
-    }
 }

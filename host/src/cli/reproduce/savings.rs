@@ -4,9 +4,9 @@ mod stage;
 
 use super::measure::settings;
 use super::protocol::Protocol;
-use super::rounds::Rounds;
 use super::scenes::Subject;
 use super::times::ms;
+use crate::cli::measure::rounds::Rounds;
 use crate::cli::render::job::{Cpu, Job, Outcome};
 use anyhow::{Result, ensure};
 use clap::ValueEnum;

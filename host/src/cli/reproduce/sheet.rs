@@ -1,7 +1,7 @@
 //! A report as it is printed: for people, and for a file.
 
-use super::table::{Table, wrap};
 use super::verdicts::Verdict;
+use crate::cli::measure::table::{Table, wrap};
 use std::fmt::Write;
 
 /// Everything that a report says.
@@ -58,15 +58,4 @@ impl Sheet<'_> {
         }
         text
     }
-}
-
-/// The processor's name, as Linux tells it.
-pub fn processor() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let line = text.lines().find(|line| line.starts_with("model name"));
-    let name = line.and_then(|line| line.split_once(':'));
-    name.map_or_else(
-        || "this machine's cores".into(),
-        |(_, name)| name.trim().to_owned(),
-    )
 }

@@ -5,7 +5,7 @@ mod pictures;
 mod savings;
 
 use super::measure::SceneRecord;
-use super::table::Table;
+use crate::cli::measure::table::Table;
 use crate::cli::output::count;
 
 /// All tables, in the paper's order, then what explains them.

@@ -2,8 +2,9 @@
 
 use super::StressArguments;
 use super::tables::tables;
+use crate::cli::measure::machine::processor;
+use crate::cli::measure::table::wrap;
 use crate::cli::output::{count, things};
-use crate::cli::reproduce::{processor, wrap};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use slimbvh::stress::{BOUND_ULPS, Row};

@@ -1,7 +1,7 @@
 //! Rows, summed up.
 
+use crate::cli::measure::table::Table;
 use crate::cli::output::count;
-use crate::cli::reproduce::Table;
 use slimbvh::stress::Row;
 
 /// Faults are listed up to this many rows.

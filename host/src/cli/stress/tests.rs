@@ -1,5 +1,5 @@
 use super::tables::tables;
-use crate::cli::reproduce::Table;
+use crate::cli::measure::table::Table;
 use slimbvh::stress::Row;
 
 fn row(family: &str, magnitude: &str, codec: &str) -> Row {

@@ -1,5 +1,7 @@
 //! Whatever is wrong with the input, the answer is exit code 2 and one sentence that names it. Nothing else is written.
 
+#[cfg(feature = "report")]
+mod bench;
 mod options;
 mod places;
 mod reproduce;

@@ -176,3 +176,25 @@ fn help_for_compressed_trees() {
     let papers = folder.succeed(["reproduce", "--help"]);
     assert!(papers.contains("compressed"), "{papers}");
 }
+
+#[cfg(feature = "report")]
+#[test]
+fn help_for_bench() {
+    let folder = Folder::new();
+    let bench = folder.succeed(["bench", "--help"]);
+    let expected = [
+        "--adapter",
+        "--backend",
+        "--help",
+        "--out",
+        "--quick",
+        "--scaling",
+        "--threads",
+    ];
+    assert_eq!(options_in(&bench), expected, "{bench}");
+    for word in ["SCENE", "24-cell", "index.html", "Examples:"] {
+        assert!(bench.contains(word), "{word} is not in {bench}");
+    }
+    let top = folder.succeed(["--help"]);
+    assert!(top.contains("  bench "), "{top}");
+}

@@ -1,5 +1,7 @@
 //! What the binary writes when all is well.
 
+#[cfg(feature = "report")]
+mod bench;
 mod help;
 mod info;
 mod outputs;

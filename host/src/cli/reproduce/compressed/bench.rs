@@ -9,7 +9,7 @@ use super::frames::{Round, take_turns};
 use super::machine::Cpu;
 use super::methods::Prepared;
 use crate::cli::backend::Chosen;
-use crate::cli::reproduce::rounds::Rounds;
+use crate::cli::measure::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::RenderSettings;

@@ -1,7 +1,7 @@
 //! What a frame takes with a method, and with the plain tree in turn with it.
 
 use super::machine::Machine;
-use crate::cli::reproduce::rounds::Rounds;
+use crate::cli::measure::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::{RenderSettings, Stages};

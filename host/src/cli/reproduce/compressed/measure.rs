@@ -1,7 +1,6 @@
 //! Everything that is measured of a scene.
 
 use super::bench::{self, GpuRecord, Timed};
-use super::counts::{Counts, count};
 use super::cracks::{Cracks, aim};
 use super::frames::Round;
 use super::machine::{Cpu, Machine};
@@ -10,11 +9,15 @@ use super::printed::Printed;
 use super::protocol::Protocol;
 use super::scenes::Subject;
 use crate::cli::backend::Chosen;
-use crate::cli::reproduce::rounds::Rounds;
+use crate::cli::measure::counts::{Counts, count};
+use crate::cli::measure::paths::Seen;
+use crate::cli::measure::rounds::Rounds;
+use crate::cli::measure::step::PIXELS;
+use crate::cli::measure::walks::Walks;
 use anyhow::Result;
 use serde::Serialize;
 use slimbvh::stress::moved;
-use slimbvh::{MeshCodec, Picture, RenderSettings};
+use slimbvh::{MeshCodec, Picture, RenderSettings, Trees};
 
 /// What was measured of one scene.
 #[derive(Serialize)]
@@ -96,25 +99,25 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
         mirror_depth: protocol.mirror_depth,
         ..RenderSettings::default()
     };
-    let plain = Method::Plain.prepare(scene, &Protocol::PIXELS);
+    let plain = Method::Plain.prepare(scene, &PIXELS);
     let mut bench = bench::open(chosen, &plain)?;
     let mut reference = Cpu::new(&plain);
     let aimed_rays = subject.is_closed.then_some(protocol.aimed_rays);
     reference.build()?;
     reference.render(&settings)?;
-    let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, hits: Option<&[bool]>| {
-        facts(prepared, (own, reference), (&settings, aimed_rays), hits)
+    let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, seen: Option<&[Seen]>| {
+        facts(prepared, (own, reference), (&settings, aimed_rays), seen)
     };
     let mut first = facts(&reference, &plain, &reference, None)?;
     first.on_gpu = bench.plain(&reference, &settings)?;
-    let hits = first.counts.hits.clone();
+    let seen = first.counts.seen.clone();
     let mut methods = vec![first];
     for method in Method::all() {
-        let prepared = method.prepare(scene, &Protocol::PIXELS);
+        let prepared = method.prepare(scene, &PIXELS);
         let mut own = Cpu::new(&prepared);
         own.build()?;
         own.render(&settings)?;
-        let mut record = facts(&own, &prepared, &reference, Some(&hits))?;
+        let mut record = facts(&own, &prepared, &reference, Some(&seen))?;
         let both = (&mut reference, &mut own);
         let Timed { rounds, on_gpu } = bench.time(both, &prepared, &settings, protocol.rounds)?;
         (record.rounds, record.on_gpu) = (rounds, on_gpu);
@@ -140,25 +143,27 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
     })
 }
 
-/// What needs no clock, of a tree that was built and a picture that was made. `hits` are the pixels of the reference where there
-/// is anything.
+/// What needs no clock, of a tree that was built and a picture that was made. `seen` is what the reference sees.
 fn facts(
     prepared: &Prepared,
     (own, reference): (&Cpu, &Cpu),
     (settings, aimed_rays): (&RenderSettings, Option<usize>),
-    hits: Option<&[bool]>,
+    seen: Option<&[Seen]>,
 ) -> Result<MethodRecord> {
     let bvh = &own.bvh;
-    let decoded = (prepared.config.mesh != MeshCodec::F32).then(|| bvh.decoded());
-    let counts = count(prepared, (bvh, decoded.as_ref()), settings)?;
-    let moved = match (prepared.config.mesh, &decoded) {
-        (MeshCodec::Leaf10, Some(decoded)) => Some(moved(&reference.bvh, decoded)?),
+    let trees = Trees::all(bvh, prepared.scene.lights.len());
+    let counts = count(&prepared.scene, &Walks::new(&trees)?, settings)?;
+    let moved = match prepared.config.mesh {
+        MeshCodec::Leaf10 => {
+            let moves = moved(&reference.bvh, &bvh.decoded())?;
+            Some([moves.most, moves.bound].map(|distance| distance as f32))
+        }
         _ => prepared.moved,
     };
     let cracks = aimed_rays.map(|count| aim(&prepared.scene, bvh, count));
     let differences = Differences {
-        lost: differ(hits, &counts.hits, true),
-        gained: differ(hits, &counts.hits, false),
+        lost: differ(seen, &counts.seen, true),
+        gained: differ(seen, &counts.seen, false),
         changed: changed(&own.picture, &reference.picture, 0),
         strongly: changed(&own.picture, &reference.picture, STRONG),
     };
@@ -177,10 +182,11 @@ fn facts(
 }
 
 /// How many pixels were so, and are not any more.
-fn differ(before: Option<&[bool]>, after: &[bool], were: bool) -> usize {
+fn differ(before: Option<&[Seen]>, after: &[Seen], were: bool) -> usize {
     let pairs = before.unwrap_or(after).iter().zip(after);
     pairs
-        .filter(|(before, after)| **before == were && **after != were)
+        .map(|(before, after)| [before, after].map(Seen::is_anything))
+        .filter(|[before, after]| *before == were && *after != were)
         .count()
 }
 

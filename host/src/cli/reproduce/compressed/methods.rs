@@ -1,6 +1,9 @@
 //! In which codecs trees are measured.
 
-use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance};
+use crate::cli::measure::step::Step;
+use crate::cli::measure::walks::node_bytes;
+use slimbvh::stress::snapped;
+use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
 use std::borrow::Cow;
 
 /// How nodes and triangles are stored.
@@ -16,15 +19,6 @@ pub enum Method {
     Lattice(LatticeBits),
     /// Both on a lattice, nodes in 10 bits.
     LatticeMesh(Step),
-}
-
-/// A lattice's step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Step {
-    /// As fine as floats are.
-    Finest,
-    /// So that no vertex moves by more than so many pixels.
-    Pixels(f32),
 }
 
 /// A scene made ready for a method.
@@ -84,11 +78,7 @@ impl Method {
 
     /// Bytes of a node.
     pub fn node_bytes(self) -> usize {
-        match self.nodes() {
-            NodeCodec::F32 => size_of::<slimbvh::Node>(),
-            NodeCodec::Printed => size_of::<slimbvh_core::encode::PrintedNode>(),
-            NodeCodec::Lattice(bits) => 4 * slimbvh_core::encode::node_words(bits.count()),
-        }
+        node_bytes(self.nodes())
     }
 
     /// Makes a scene ready. Pixels are those of a picture with these settings.
@@ -105,18 +95,11 @@ impl Method {
         match self {
             Self::NodeMesh => prepared.config.mesh = MeshCodec::Leaf10,
             Self::LatticeMesh(step) => {
-                let finest = scene.mesh.finest_step();
-                let step_exponent = match step {
-                    Step::Finest => finest,
-                    Step::Pixels(pixels) => {
-                        let tolerance = Tolerance::Pixels(pixels);
-                        let step = tolerance.step_exponent(scene, settings);
-                        step.unwrap_or(finest)
-                    }
-                };
-                let moved = prepared.scene.to_mut().mesh.snap(step_exponent);
-                // Half a step along each of three axes.
-                prepared.moved = Some([moved, 0.866_026 * 2f32.powi(step_exponent)]);
+                let step_exponent = step.exponent(scene, settings);
+                let mesh = &mut prepared.scene.to_mut().mesh;
+                mesh.snap(step_exponent);
+                let moves = snapped(&scene.mesh.vertices, &mesh.vertices, step_exponent);
+                prepared.moved = Some([moves.most, moves.bound].map(|distance| distance as f32));
                 prepared.config.mesh = MeshCodec::Lattice { step_exponent };
             }
             Self::Plain | Self::Node | Self::Lattice(_) => {}

@@ -1,7 +1,6 @@
 //! How much is measured.
 
 use serde::Serialize;
-use slimbvh::{RenderSettings, View};
 
 /// Sizes and repeats.
 #[derive(Clone, Debug, Serialize)]
@@ -23,15 +22,6 @@ impl Protocol {
         rounds: 5,
         aimed_rays: 400_000,
         mirror_depth: 8,
-    };
-
-    /// The picture whose pixels tolerances are of, whatever is rendered.
-    pub const PIXELS: RenderSettings = RenderSettings {
-        size: Self::FULL.size,
-        sample_count: 1,
-        view: View::Color,
-        mirror_depth: 0,
-        dark_rays: false,
     };
 
     /// For half a minute.

@@ -7,10 +7,11 @@ use super::protocol::Protocol;
 use super::tables::tables;
 use super::targets::verdicts;
 use crate::cli::backend::Chosen;
-use crate::cli::output::{count, things};
 #[cfg(feature = "gpu")]
-use crate::cli::reproduce::report::adapter;
-use crate::cli::reproduce::sheet::{Sheet, processor};
+use crate::cli::measure::machine::adapter;
+use crate::cli::measure::machine::processor;
+use crate::cli::output::{count, things};
+use crate::cli::reproduce::sheet::Sheet;
 use crate::cli::reproduce::verdicts::Verdict;
 use serde::Serialize;
 

@@ -7,8 +7,8 @@ use super::bench::Place;
 use super::frames::Frame;
 use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
+use crate::cli::measure::table::Table;
 use crate::cli::output::count;
-use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::tables::{NOTHING, percent, ratio, time};
 
 /// All tables.

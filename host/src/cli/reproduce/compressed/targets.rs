@@ -3,7 +3,8 @@
 use super::bench::Place;
 use super::frames::{Frame, Round};
 use super::measure::{MethodRecord, SceneRecord};
-use super::methods::{Method, Step};
+use super::methods::Method;
+use crate::cli::measure::step::Step;
 use crate::cli::reproduce::verdicts::{Measured, Verdict};
 
 /// A target.

@@ -1,6 +1,9 @@
-use super::methods::{Method, Step};
+use super::methods::Method;
 use super::*;
-use slimbvh::{Builder, Bvh, LatticeBits, Picture, RenderSettings, Renderer};
+use crate::cli::measure::counts::count;
+use crate::cli::measure::step::Step;
+use crate::cli::measure::walks::Walks;
+use slimbvh::{Builder, Bvh, LatticeBits, Picture, RenderSettings, Renderer, Trees};
 
 const SETTINGS: RenderSettings = RenderSettings {
     size: [48, 32],
@@ -21,8 +24,8 @@ fn the_rays_counted_are_those_of_the_picture() {
         Builder::new(prepared.config)
             .build_into(mesh, &mut bvh)
             .unwrap();
-        let decoded = bvh.decoded();
-        let counts = counts::count(&prepared, (&bvh, Some(&decoded)), &SETTINGS).unwrap();
+        let walks = Walks::new(&Trees::all(&bvh, prepared.scene.lights.len())).unwrap();
+        let counts = count(&prepared.scene, &walks, &SETTINGS).unwrap();
         let mut picture = Picture::default();
         let rendered =
             Renderer::new().render(&prepared.scene, &bvh, &SETTINGS, &mut picture, |_| {});
@@ -30,7 +33,7 @@ fn the_rays_counted_are_those_of_the_picture() {
         assert_eq!(counts.eye.rays, report.primary_ray_count);
         assert_eq!(counts.shadow.rays, report.shadow_ray_count);
         assert_eq!(counts.secondary.rays, report.mirror_ray_count);
-        let hits = counts.hits.iter().filter(|hit| **hit).count();
+        let hits = counts.seen.iter().filter(|seen| seen.is_anything()).count();
         assert_eq!(hits as u64, report.primary_hit_count);
         assert!(counts.secondary.rays > 500);
     }

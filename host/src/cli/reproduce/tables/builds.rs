@@ -1,9 +1,9 @@
 //! Tables III and IV, and what sorting once is worth.
 
 use super::{NOTHING, nothing, percent, ratio, time};
+use crate::cli::measure::table::Table;
 use crate::cli::reproduce::measure::{SETS, SceneRecord};
 use crate::cli::reproduce::printed::Printed;
-use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::times::Division;
 
 pub fn construction(records: &[SceneRecord]) -> Table {

@@ -1,12 +1,12 @@
 //! Tables II, V and VI: pictures.
 
 use super::{NOTHING, nothing, percent, ratio, time};
+use crate::cli::measure::rounds::Rounds;
+use crate::cli::measure::table::Table;
 use crate::cli::output::count;
 use crate::cli::reproduce::layout::Sorting;
 use crate::cli::reproduce::measure::{LightsRecord, Pictures, SceneRecord};
 use crate::cli::reproduce::printed;
-use crate::cli::reproduce::rounds::Rounds;
-use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::times::Picture;
 
 /// How sets were sorted, and the pictures made with them.

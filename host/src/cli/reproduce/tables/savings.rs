@@ -1,10 +1,10 @@
 //! What each saving saves.
 
 use super::{ratio, time};
+use crate::cli::measure::table::Table;
 use crate::cli::output::{bytes, count};
 use crate::cli::reproduce::measure::SceneRecord;
 use crate::cli::reproduce::savings::{Frame, SavingRecord};
-use crate::cli::reproduce::table::Table;
 
 /// A row for each saving, where they were measured.
 pub fn table(record: &SceneRecord) -> Option<Table> {

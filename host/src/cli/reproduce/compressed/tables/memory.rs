@@ -2,8 +2,8 @@
 
 use super::super::measure::SceneRecord;
 use super::main_methods;
+use crate::cli::measure::table::Table;
 use crate::cli::output::count;
-use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::tables::percent;
 
 /// What is stored.

@@ -6,7 +6,7 @@ use super::super::measure::SceneRecord;
 use super::super::methods::Method;
 use super::super::printed::Printed;
 use super::main_methods;
-use crate::cli::reproduce::table::Table;
+use crate::cli::measure::table::Table;
 use crate::cli::reproduce::tables::{NOTHING, percent, ratio, time};
 use std::collections::BTreeSet;
 

@@ -4,6 +4,7 @@ use anyhow::{Context, Result};
 use slimbvh::{Hit, Ray, RenderSettings, Scene};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::ray::NO_PRIMITIVE;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{Light, Material, Path, direct_light};
 use slimbvh_core::snap::leaf_triangle;
@@ -13,8 +14,19 @@ use slimbvh_core::surface::Surface;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Eye,
-    Shadow,
+    /// To the light of this number.
+    Shadow(usize),
+    /// From a mirror or out of glass.
     Secondary,
+}
+
+/// What a sample sees first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Seen {
+    /// [`NO_PRIMITIVE`] for nothing.
+    pub primitive: u32,
+    /// From where the ray starts, in the scene's unit.
+    pub distance: f32,
 }
 
 /// All that paths are made from, in the scene's magnitude.
@@ -25,6 +37,19 @@ pub struct Paths<'a> {
     lights: Vec<Light>,
     materials: Vec<Material>,
     depth: u32,
+    /// The scene's unit, in its magnitude's.
+    unit: f32,
+}
+
+impl Seen {
+    pub const NOTHING: Self = Self {
+        primitive: NO_PRIMITIVE,
+        distance: f32::INFINITY,
+    };
+
+    pub fn is_anything(&self) -> bool {
+        self.primitive != NO_PRIMITIVE
+    }
 }
 
 impl<'a> Paths<'a> {
@@ -42,14 +67,14 @@ impl<'a> Paths<'a> {
             lights: lights.collect::<Result<_>>()?,
             materials: scene.core_materials(),
             depth: settings.mirror_depth,
+            unit: 2f32.powi(-exponent),
         })
     }
 
-    /// Follows a sample, and asks what each of its rays meets, but for the triangle that it starts on. Whether the first met
-    /// anything.
-    pub fn follow(&self, sample: u32, mut meet: impl FnMut(Kind, &Ray, u32) -> Hit) -> bool {
+    /// Follows a sample, and asks what each of its rays meets, but for the triangle that it starts on. What the first met.
+    pub fn follow(&self, sample: u32, mut meet: impl FnMut(Kind, &Ray, u32) -> Hit) -> Seen {
         let mut path = Path::new(self.camera.ray(sample), sample);
-        let mut sees = false;
+        let mut seen = Seen::NOTHING;
         for bounce in 0..=self.depth {
             let kind = match bounce {
                 0 => Kind::Eye,
@@ -59,18 +84,24 @@ impl<'a> Paths<'a> {
             if !hit.is_hit() {
                 break;
             }
-            sees = true;
+            if bounce == 0 {
+                let direction = glam::Vec3::from(path.ray.direction);
+                seen = Seen {
+                    primitive: hit.primitive,
+                    distance: hit.t * direction.length() * self.unit,
+                };
+            }
             let (surface, material) = self.surface(&path, &hit);
             let draw = Draw {
                 sample,
                 sample_count: self.camera.sample_count,
                 bounce,
             };
-            for light in &self.lights {
+            for (number, light) in self.lights.iter().enumerate() {
                 let light = light.sampled(&draw);
                 let shadow = direct_light(&surface, hit.primitive, &material, &light);
                 if shadow.is_possible() {
-                    meet(Kind::Shadow, &shadow.ray, shadow.skip);
+                    meet(Kind::Shadow(number), &shadow.ray, shadow.skip);
                 }
             }
             path = path.scattered(&surface, &material, hit.primitive);
@@ -78,7 +109,7 @@ impl<'a> Paths<'a> {
                 break;
             }
         }
-        sees
+        seen
     }
 
     /// The point that a path hit, and what it is made of.

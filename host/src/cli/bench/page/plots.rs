@@ -1,0 +1,197 @@
+//! Plots as SVG, in colors that the page chooses.
+
+mod bars;
+mod growth;
+
+pub use bars::bars;
+pub use growth::{GROWING, growth};
+
+use super::super::measure::SetupRecord;
+use super::super::pareto::front;
+use super::super::times::Times;
+use anyhow::Result;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// Units of a drawing. About as wide as a phone, so that letters can be read on one.
+const WIDTH: u32 = 360;
+const HEIGHT: u32 = 280;
+
+/// Colors that stand for others until the page puts its own in their place.
+const INK: RGBColor = RGBColor(1, 2, 3);
+const FAINT: RGBColor = RGBColor(4, 5, 6);
+const FRONT: RGBColor = RGBColor(7, 8, 9);
+
+/// Of the parts of a picture.
+const fn part_color(part: usize) -> RGBColor {
+    RGBColor(16, 16, part as u8)
+}
+
+/// What is drawn along an axis.
+#[derive(Clone, Copy)]
+pub struct Axis {
+    pub name: &'static str,
+    pub of: fn(&SetupRecord) -> f64,
+    pub scale: Scale,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// From 0 on.
+    Linear,
+    /// Powers of ten, and 0 beside the least.
+    PowersAndZero,
+}
+
+/// Setups that are on the front of two axes, each with the number that it has in the plot, from 1, along the first.
+pub fn numbered<'a>(records: &[&'a SetupRecord], axes: [Axis; 2]) -> Vec<&'a SetupRecord> {
+    let points: Vec<[f64; 2]> = records
+        .iter()
+        .map(|record| axes.map(|axis| (axis.of)(record)))
+        .collect();
+    let on_front = records.iter().zip(front(&points)).filter(|(_, on)| *on);
+    let mut on_front: Vec<&SetupRecord> = on_front.map(|(record, _)| *record).collect();
+    on_front.sort_by(|a, b| {
+        let keys = |record: &SetupRecord| axes.map(|axis| (axis.of)(record));
+        let ([ax, ay], [bx, by]) = (keys(a), keys(b));
+        ax.total_cmp(&bx).then(ay.total_cmp(&by))
+    });
+    on_front
+}
+
+/// All setups as dots, those on the front with numbers and a line through them.
+pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
+    let on_front = numbered(records, axes);
+    let spans = axes.map(|axis| Span::new(axis, records));
+    let place = |record: &SetupRecord| {
+        let [x, y] = [0, 1].map(|which: usize| spans[which].place((axes[which].of)(record)));
+        (x, y)
+    };
+    let mut svg = String::new();
+    {
+        let root = SVGBackend::with_string(&mut svg, (WIDTH, HEIGHT)).into_drawing_area();
+        let mut chart = ChartBuilder::on(&root)
+            .margin(6)
+            .margin_right(14)
+            .x_label_area_size(44)
+            .y_label_area_size(52)
+            .build_cartesian_2d(spans[0].range(), spans[1].range())?;
+        let [x_span, y_span] = &spans;
+        chart
+            .configure_mesh()
+            .axis_style(INK)
+            .bold_line_style(FAINT.mix(0.4))
+            .light_line_style(TRANSPARENT)
+            .x_labels(x_span.label_count())
+            .y_labels(y_span.label_count())
+            .x_label_formatter(&|x| x_span.label(*x))
+            .y_label_formatter(&|y| y_span.label(*y))
+            .label_style(("sans-serif", 15).into_font().color(&INK))
+            .x_desc(axes[0].name)
+            .y_desc(axes[1].name)
+            .draw()?;
+        let dots = records
+            .iter()
+            .map(|record| Circle::new(place(record), 4, FAINT.filled()));
+        chart.draw_series(dots)?;
+        // Along a front one thing gets better only at the next step.
+        let mut steps: Vec<(f64, f64)> = Vec::new();
+        for record in &on_front {
+            let (x, y) = place(record);
+            if let Some(&(_, before)) = steps.last() {
+                steps.push((x, before));
+            }
+            steps.push((x, y));
+        }
+        chart.draw_series([PathElement::new(steps, FRONT.stroke_width(2))])?;
+        let dots = on_front
+            .iter()
+            .map(|record| Circle::new(place(record), 5, FRONT.filled()));
+        chart.draw_series(dots)?;
+        let style = ("sans-serif", 16).into_font().color(&INK);
+        let style = style.pos(Pos::new(HPos::Left, VPos::Bottom));
+        let numbers = (1..).zip(&on_front).map(|(number, record)| {
+            let label = Text::new(number.to_string(), (5, -4), style.clone());
+            EmptyElement::at(place(record)) + label
+        });
+        chart.draw_series(numbers)?;
+        root.present()?;
+    }
+    Ok(themed(&svg))
+}
+
+/// Where values are on an axis.
+struct Span {
+    scale: Scale,
+    /// Of the least power of ten.
+    least: f64,
+    end: f64,
+}
+
+impl Span {
+    fn new(axis: Axis, records: &[&SetupRecord]) -> Self {
+        let values = || records.iter().map(|record| (axis.of)(record));
+        let above = values().filter(|value| *value > 0.0);
+        let least = above.fold(f64::INFINITY, f64::min).log10().floor();
+        let least = if least.is_finite() { least } else { 0.0 };
+        let mut span = Self {
+            scale: axis.scale,
+            least,
+            end: 1.0,
+        };
+        let most = values().fold(0.0, f64::max);
+        span.end = match axis.scale {
+            Scale::Linear => most.max(f64::MIN_POSITIVE) * 1.08,
+            Scale::PowersAndZero => span.place(most).ceil().max(2.0),
+        };
+        span
+    }
+
+    fn place(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => value,
+            Scale::PowersAndZero if value > 0.0 => 1.0 + value.log10() - self.least,
+            Scale::PowersAndZero => 0.0,
+        }
+    }
+
+    fn range(&self) -> std::ops::Range<f64> {
+        match self.scale {
+            Scale::Linear => 0.0..self.end,
+            Scale::PowersAndZero => -0.3..self.end,
+        }
+    }
+
+    fn label_count(&self) -> usize {
+        match self.scale {
+            Scale::Linear => 6,
+            Scale::PowersAndZero => self.end as usize + 1,
+        }
+    }
+
+    fn label(&self, place: f64) -> String {
+        match self.scale {
+            Scale::Linear => format!("{}", (place * 1e3).round() / 1e3),
+            Scale::PowersAndZero if place.round() <= 0.0 => "0".into(),
+            Scale::PowersAndZero if (place - place.round()).abs() > 1e-6 => String::new(),
+            Scale::PowersAndZero => {
+                let exponent = (place.round() - 1.0 + self.least) as i32;
+                format!("{}", 10f64.powi(exponent))
+            }
+        }
+    }
+}
+
+/// The page's colors, and nothing that only files of their own need.
+fn themed(svg: &str) -> String {
+    let hex = |RGBColor(r, g, b): RGBColor| format!("#{r:02X}{g:02X}{b:02X}");
+    let mut svg = svg
+        .replace(" xmlns=\"http://www.w3.org/2000/svg\"", "")
+        .replace(&hex(INK), "var(--ink)")
+        .replace(&hex(FAINT), "var(--faint)")
+        .replace(&hex(FRONT), "var(--accent)");
+    for part in 0..Times::PARTS.len() {
+        svg = svg.replace(&hex(part_color(part)), &format!("var(--part{part})"));
+    }
+    svg
+}

@@ -1,0 +1,103 @@
+//! The scenes: files, and those that need none.
+
+use anyhow::{Context, Result, bail};
+use slimbvh::generate::{self, TorusKnot, TwentyFourCell};
+use slimbvh::scene::{LoadOptions, load};
+use slimbvh::{Mesh, Scene};
+use std::path::Path;
+
+/// A scene that needs no file.
+type Generated = (&'static str, fn() -> Scene);
+
+/// All of them, by name.
+const GENERATED: [Generated; 13] = [
+    ("default", generate::default_scene),
+    ("shiny", generate::shiny),
+    ("doll", || generate::doll(3)),
+    ("toasters", || generate::toasters(57)),
+    ("24-cell", || {
+        generate::twenty_four_cell(&TwentyFourCell::default())
+    }),
+    ("teapot", || of(generate::teapot())),
+    ("knot", || of(generate::torus_knot(&TorusKnot::default()))),
+    ("sphere", || {
+        of(generate::icosphere(glam::Vec3::ZERO, 1.0, 6))
+    }),
+    ("flake", || of(generate::sphere_flake(4, 2))),
+    ("terrain", || of(generate::terrain(10.0, 256, 1))),
+    ("grid", || {
+        let ball = generate::icosphere(glam::Vec3::ZERO, 1.0, 3);
+        of(generate::grid_of_objects(
+            &ball,
+            [5; 3],
+            glam::Vec3::splat(2.5),
+        ))
+    }),
+    ("soup", || of(generate::soup(50_000, 1))),
+    ("slivers", || of(generate::slivers(20_000, 1))),
+];
+
+/// A scene that is ready to be measured.
+pub struct Subject {
+    pub name: String,
+    pub scene: Scene,
+}
+
+impl Subject {
+    /// Of a file, or generated, by this name.
+    ///
+    /// # Errors
+    /// If there is neither, and for what cannot be measured.
+    pub fn new(name: &str, size: [u32; 2]) -> Result<Self> {
+        let mut scene = open(name)?;
+        scene.mesh.validate().with_context(|| name.to_owned())?;
+        if scene.mesh.indices.is_empty() {
+            bail!("{name:?} has no triangles; there is nothing to measure");
+        }
+        scene.complete(scene.mesh.bounds(), size);
+        Ok(Self {
+            name: name.to_owned(),
+            scene,
+        })
+    }
+}
+
+fn open(name: &str) -> Result<Scene> {
+    let path = Path::new(name);
+    if path.exists() || path.extension().is_some() {
+        return Ok(load(path, &LoadOptions::default())?);
+    }
+    match GENERATED.iter().find(|(known, _)| *known == name) {
+        Some((_, generate)) => Ok(generate()),
+        None => {
+            let names = GENERATED.map(|(name, _)| name).join(", ");
+            bail!("there is neither a file {name:?} nor a scene of that name: {names}")
+        }
+    }
+}
+
+fn of(mesh: Mesh) -> Scene {
+    Scene {
+        mesh,
+        ..Scene::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_has_a_scene() {
+        for (name, _) in GENERATED {
+            let subject = Subject::new(name, [32, 18]).unwrap();
+            let count = subject.scene.mesh.indices.len();
+            assert!((100..400_000).contains(&count), "{name}: {count}");
+        }
+        let error = Subject::new("sphe", [32, 18]).err().unwrap().to_string();
+        assert!(
+            error.contains("\"sphe\"") && error.contains("sphere"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,123 @@
+//! Times of the parts of a picture.
+
+use serde::Serialize;
+use slimbvh::Stages;
+
+/// Milliseconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Times {
+    /// What may be left out: a survey of the surfaces where that may pay, and the decision.
+    pub plan: f64,
+    /// All stages of the build but the next.
+    pub build: f64,
+    /// Nodes and triangles in codecs; on cores also the boxes of trees in codecs.
+    pub encode: f64,
+    /// From samples to rays, and what these hit.
+    pub primary: f64,
+    pub shadow: f64,
+    /// From mirrors and through glass.
+    pub reflection: f64,
+    /// Shading, and from samples to pixels.
+    pub rest: f64,
+}
+
+/// A picture with the default, and the same with another setup.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Round {
+    pub usual: Times,
+    pub own: Times,
+}
+
+impl Times {
+    /// Names of the parts, in the order of [`Self::parts`].
+    pub const PARTS: [&'static str; 7] = [
+        "plan",
+        "build",
+        "encode",
+        "primary",
+        "shadow",
+        "reflection",
+        "rest",
+    ];
+
+    /// Sorts out stages. What has no other place counts as primary.
+    pub fn new(plan: f64, build: &Stages, render: &Stages) -> Self {
+        let mut times = Self {
+            plan,
+            ..Self::default()
+        };
+        for (stages, is_build) in [(build, true), (render, false)] {
+            for (stage, time) in stages.iter() {
+                let sum = match (is_build, stage) {
+                    (true, "encode") => &mut times.encode,
+                    (true, _) => &mut times.build,
+                    (false, "trace shadow") => &mut times.shadow,
+                    (false, "trace mirror") => &mut times.reflection,
+                    (false, "shade" | "resolve") => &mut times.rest,
+                    (false, _) => &mut times.primary,
+                };
+                *sum += time.as_secs_f64() * 1e3;
+            }
+        }
+        times
+    }
+
+    pub fn parts(&self) -> [f64; 7] {
+        [
+            self.plan,
+            self.build,
+            self.encode,
+            self.primary,
+            self.shadow,
+            self.reflection,
+            self.rest,
+        ]
+    }
+
+    /// The whole picture, from the mesh on.
+    pub fn frame(&self) -> f64 {
+        self.parts().iter().sum()
+    }
+
+    /// The same where what may be left out is known.
+    pub fn planned(&self) -> f64 {
+        self.frame() - self.plan
+    }
+
+    /// All that traces.
+    pub fn trace(&self) -> f64 {
+        self.primary + self.shadow + self.reflection
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    fn stages(times: &[(&'static str, u64)]) -> Stages {
+        let mut stages = Stages::default();
+        for &(stage, ms) in times {
+            stages.add(stage, Duration::from_millis(ms));
+        }
+        stages
+    }
+
+    #[test]
+    fn stages_are_sorted_out() {
+        let build = stages(&[("sort", 2), ("encode", 4), ("refit", 8)]);
+        let render = stages(&[
+            ("trace primary", 16),
+            ("camera", 32),
+            ("trace shadow", 64),
+            ("trace mirror", 128),
+            ("shade", 256),
+            ("resolve", 512),
+        ]);
+        let times = Times::new(1.0, &build, &render);
+        let parts = times.parts().map(f64::round);
+        assert_eq!(parts, [1.0, 10.0, 4.0, 48.0, 64.0, 128.0, 768.0]);
+        let sums = [times.frame(), times.planned(), times.trace()].map(f64::round);
+        assert_eq!(sums, [1023.0, 1022.0, 240.0]);
+    }
+}

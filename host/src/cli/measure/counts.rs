@@ -1,0 +1,135 @@
+//! What the rays of a picture touch in a tree: the same on every machine.
+
+use super::paths::{Kind, Paths, Seen};
+use super::walks::Walks;
+use anyhow::{Result, ensure};
+use rayon::prelude::*;
+use serde::Serialize;
+use slimbvh::{Ray, RenderSettings, Scene};
+
+/// Sums over rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Tally {
+    pub rays: u64,
+    /// Inner nodes opened, two boxes each.
+    pub nodes: u64,
+    /// Triangles tested.
+    pub triangles: u64,
+    /// Bytes of the nodes that were opened.
+    pub node_bytes: u64,
+    /// Bytes of the triangles that were tested.
+    pub triangle_bytes: u64,
+}
+
+/// Of the rays of a picture.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Counts {
+    pub eye: Tally,
+    pub shadow: Tally,
+    /// From mirrors and glass.
+    pub secondary: Tally,
+    /// What each sample sees first.
+    #[serde(skip)]
+    pub seen: Vec<Seen>,
+}
+
+impl Tally {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            rays: self.rays + other.rays,
+            nodes: self.nodes + other.nodes,
+            triangles: self.triangles + other.triangles,
+            node_bytes: self.node_bytes + other.node_bytes,
+            triangle_bytes: self.triangle_bytes + other.triangle_bytes,
+        }
+    }
+
+    /// Two boxes a node, a ray.
+    pub fn box_tests(&self) -> f64 {
+        self.mean(2 * self.nodes)
+    }
+
+    /// A ray.
+    pub fn triangle_tests(&self) -> f64 {
+        self.mean(self.triangles)
+    }
+
+    /// Bytes of nodes and triangles, a ray.
+    pub fn bytes_read(&self) -> f64 {
+        self.mean(self.node_bytes + self.triangle_bytes)
+    }
+
+    pub fn mean(&self, sum: u64) -> f64 {
+        sum as f64 / self.rays.max(1) as f64
+    }
+}
+
+impl Counts {
+    /// All rays.
+    pub fn all(&self) -> Tally {
+        self.eye.plus(self.shadow).plus(self.secondary)
+    }
+
+    fn of(&mut self, kind: Kind) -> &mut Tally {
+        match kind {
+            Kind::Eye => &mut self.eye,
+            Kind::Shadow(_) => &mut self.shadow,
+            Kind::Secondary => &mut self.secondary,
+        }
+    }
+
+    /// No triangle takes less than a narrow one or more than a wide one.
+    fn check(&self) -> Result<()> {
+        let Tally {
+            triangles,
+            triangle_bytes,
+            ..
+        } = self.all();
+        let range = 16 * triangles..=40 * triangles;
+        ensure!(
+            range.contains(&triangle_bytes),
+            "{triangles} triangles cannot take {triangle_bytes} bytes"
+        );
+        Ok(())
+    }
+
+    fn plus(mut self, mut other: Self) -> Self {
+        self.seen.append(&mut other.seen);
+        Self {
+            eye: self.eye.plus(other.eye),
+            shadow: self.shadow.plus(other.shadow),
+            secondary: self.secondary.plus(other.secondary),
+            seen: self.seen,
+        }
+    }
+}
+
+/// Samples that a task takes at once.
+const BLOCK: u32 = 512;
+
+/// Follows all paths of a picture through its trees.
+pub fn count(scene: &Scene, walks: &Walks, settings: &RenderSettings) -> Result<Counts> {
+    let paths = Paths::new(scene, walks.exponent(), settings)?;
+    let [width, height] = settings.size;
+    let sample_count = width * height * settings.sample_count;
+    let blocks = (0..sample_count.div_ceil(BLOCK)).into_par_iter();
+    let blocks = blocks.map(|block| {
+        let mut counts = Counts::default();
+        let first = block * BLOCK;
+        for sample in first..(first + BLOCK).min(sample_count) {
+            let meet = |kind, ray: &Ray, skip| {
+                let (tally, hit) = walks.of(kind).meet(kind, ray, skip);
+                let sum = counts.of(kind);
+                *sum = sum.plus(tally);
+                hit
+            };
+            let seen = paths.follow(sample, meet);
+            counts.seen.push(seen);
+        }
+        counts
+    });
+    let blocks: Vec<Counts> = blocks.collect();
+    let counts = blocks.into_iter().fold(Counts::default(), Counts::plus);
+    counts.check()?;
+    Ok(counts)
+}

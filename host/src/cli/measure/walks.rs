@@ -1,0 +1,250 @@
+//! Trees that count what rays touch in them.
+
+use super::counts::Tally;
+use super::paths::Kind;
+use anyhow::{Result, ensure};
+use slimbvh::{Bvh, Hit, LeafTriangle, MeshCodec, Node, NodeCodec, Ray, Tree, Trees};
+use slimbvh_core::classify::{Except, Facing, Sides};
+use slimbvh_core::encode::{LeafWidth, PrintedNode, PrintedTriangle, node_words};
+use slimbvh_core::float::PowerOfTwo;
+use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::orientation::Target;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{
+    ClosestOrAny, Counted, LeafTriangles, Place, Rule, TriangleSource, traverse,
+};
+use std::borrow::Cow;
+use std::cell::Cell;
+
+/// The trees of a picture, each for its rays.
+pub struct Walks<'a> {
+    stored: Vec<Stored<'a>>,
+    eye: Course<'a>,
+    lights: Vec<Course<'a>>,
+    secondary: Option<Course<'a>>,
+}
+
+/// Where rays of one kind go.
+#[derive(Clone, Copy)]
+struct Course<'a> {
+    /// Among those stored.
+    place: usize,
+    /// With the target in the scene's magnitude.
+    rule: Option<(Sides<'a>, Target)>,
+}
+
+/// A tree, and how many bytes there are to read.
+struct Stored<'a> {
+    bvh: &'a Bvh,
+    /// Out of its codec, where that is walked too.
+    decoded: Option<Cow<'a, Bvh>>,
+    node_bytes: u64,
+    records: Records,
+}
+
+/// How triangles are stored.
+enum Records {
+    /// All in as many bytes.
+    Even(u64),
+    /// Each leaf's in as many as it needs: bytes by place.
+    ByLeaf(Vec<u8>),
+}
+
+/// A tree for rays of one kind.
+pub struct Walk<'a> {
+    stored: &'a Stored<'a>,
+    rule: Option<(Sides<'a>, Target)>,
+}
+
+impl<'a> Walks<'a> {
+    /// # Errors
+    /// If a tree's triangles do not take as many bytes as their leaves say.
+    pub fn new(trees: &Trees<'a>) -> Result<Self> {
+        let mut stored: Vec<Stored<'a>> = Vec::new();
+        let mut course = |tree: &Tree<'a>| -> Result<Course<'a>> {
+            let place = stored
+                .iter()
+                .position(|stored| std::ptr::eq(stored.bvh, tree.bvh));
+            let place = match place {
+                Some(place) => place,
+                None => {
+                    stored.push(Stored::new(tree.bvh)?);
+                    stored.len() - 1
+                }
+            };
+            if tree.rule.is_some() {
+                stored[place].decode();
+            }
+            let scale = PowerOfTwo::new(tree.bvh.scene_exponent());
+            let rule = tree.rule;
+            let rule = rule.map(|(sides, target)| (sides, target.scaled(&scale)));
+            Ok(Course { place, rule })
+        };
+        let eye = course(&trees.primary)?;
+        let lights = trees.lights.iter().map(&mut course);
+        let lights = lights.collect::<Result<_>>()?;
+        let secondary = trees.mirrors.map(|bvh| course(&Tree::all(bvh)));
+        let secondary = secondary.transpose()?;
+        Ok(Self {
+            stored,
+            eye,
+            lights,
+            secondary,
+        })
+    }
+
+    /// The exponent of the scene's magnitude.
+    pub fn exponent(&self) -> i32 {
+        self.stored[self.eye.place].bvh.scene_exponent()
+    }
+
+    /// The tree for rays of this kind.
+    pub fn of(&self, kind: Kind) -> Walk<'_> {
+        let course = match kind {
+            Kind::Eye => self.eye,
+            Kind::Shadow(light) => self.lights[light],
+            Kind::Secondary => self.secondary.unwrap_or(self.eye),
+        };
+        Walk {
+            stored: &self.stored[course.place],
+            rule: course.rule,
+        }
+    }
+}
+
+impl Walk<'_> {
+    /// Traces a ray, but for a triangle, and counts.
+    pub fn meet(&self, kind: Kind, ray: &Ray, skip: u32) -> (Tally, Hit) {
+        let ray = PreparedRay::new(ray, 0);
+        let new = || match kind {
+            Kind::Shadow(_) => Counted::new(ClosestOrAny::any(ray.t_max)),
+            Kind::Eye | Kind::Secondary => Counted::new(ClosestOrAny::closest(ray.t_max)),
+        };
+        let mut found = new();
+        // As it is stored, where all triangles count; else, and where leaves differ, out of its codec.
+        let mut read = None;
+        match &self.rule {
+            None => {
+                self.stored.bvh.collect(&ray, skip, &mut found);
+                if let Records::ByLeaf(_) = self.stored.records {
+                    read = self.stored.traverse(&ray, &Except(skip), &mut new());
+                }
+            }
+            Some((sides, target)) => {
+                let (sides, target) = (*sides, *target);
+                let rule = Facing {
+                    skip,
+                    sides,
+                    target,
+                };
+                read = self.stored.traverse(&ray, &rule, &mut found);
+            }
+        }
+        let (nodes, triangles) = (u64::from(found.node_count), u64::from(found.triangle_count));
+        let tally = Tally {
+            rays: 1,
+            nodes,
+            triangles,
+            node_bytes: nodes * self.stored.node_bytes,
+            triangle_bytes: match (&self.stored.records, read) {
+                (Records::Even(bytes), _) => triangles * bytes,
+                (Records::ByLeaf(_), read) => read.unwrap_or_default(),
+            },
+        };
+        (tally, ray.restore(found.inner.closest.hit))
+    }
+}
+
+impl<'a> Stored<'a> {
+    fn new(bvh: &'a Bvh) -> Result<Self> {
+        let mut stored = Self {
+            bvh,
+            decoded: None,
+            node_bytes: node_bytes(bvh.codecs().0) as u64,
+            records: Records::Even(match bvh.codecs().1 {
+                MeshCodec::Leaf10 => size_of::<PrintedTriangle>() as u64,
+                MeshCodec::F32 | MeshCodec::Lattice { .. } => size_of::<LeafTriangle>() as u64,
+            }),
+        };
+        if let MeshCodec::Lattice { step_exponent } = bvh.codecs().1 {
+            let step_exponent = (step_exponent + bvh.scene_exponent()).clamp(-126, 127);
+            stored.records = leaf_bytes(stored.decode(), step_exponent, bvh.triangle_bytes())?;
+        }
+        Ok(stored)
+    }
+
+    /// The tree out of its codec.
+    fn decode(&mut self) -> &Bvh {
+        let bvh = self.bvh;
+        self.decoded.get_or_insert_with(|| match bvh.codecs() {
+            plain if plain == Default::default() => Cow::Borrowed(bvh),
+            _ => Cow::Owned(bvh.decoded()),
+        })
+    }
+
+    /// Walks the tree out of its codec, and sums up the bytes of triangles where leaves differ.
+    fn traverse(
+        &self,
+        ray: &PreparedRay,
+        rule: &impl Rule,
+        found: &mut Counted<ClosestOrAny>,
+    ) -> Option<u64> {
+        let decoded = self.decoded.as_deref()?;
+        let source = Metered {
+            triangles: decoded.triangle_source(),
+            bytes: match &self.records {
+                Records::ByLeaf(bytes) => bytes,
+                Records::Even(_) => &[],
+            },
+            read: Cell::new(0),
+        };
+        traverse(&decoded.node_source(), &source, ray, rule, found);
+        Some(source.read.get())
+    }
+}
+
+/// Bytes of a node.
+pub fn node_bytes(codec: NodeCodec) -> usize {
+    match codec {
+        NodeCodec::F32 => size_of::<Node>(),
+        NodeCodec::Printed => size_of::<PrintedNode>(),
+        NodeCodec::Lattice(bits) => 4 * node_words(bits.count()),
+    }
+}
+
+/// What each leaf's triangles take follows from its box.
+fn leaf_bytes(decoded: &Bvh, step_exponent: i32, stored: usize) -> Result<Records> {
+    let mut bytes = vec![0; decoded.triangle_count()];
+    for node in decoded.nodes() {
+        for (leaf, bounds) in [(node.left, node.left_box()), (node.right, node.right_box())] {
+            if leaf.is_leaf() && leaf.count() > 0 {
+                let width = LeafWidth::of(&LatticeBox::around(&bounds, step_exponent));
+                let first = leaf.first() as usize;
+                bytes[first..][..leaf.count() as usize].fill(4 * width.words() as u8);
+            }
+        }
+    }
+    let sum: usize = bytes.iter().map(|&bytes| usize::from(bytes)).sum();
+    ensure!(sum == stored, "triangles take {stored} bytes, not {sum}");
+    Ok(Records::ByLeaf(bytes))
+}
+
+/// Triangles that sum up what is read of them.
+struct Metered<'a> {
+    triangles: LeafTriangles<'a>,
+    bytes: &'a [u8],
+    read: Cell<u64>,
+}
+
+impl TriangleSource<()> for Metered<'_> {
+    fn corners(&self, place: &Place<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let bytes = self.bytes.get((place.first + place.number) as usize);
+        let read = self.read.get() + u64::from(bytes.copied().unwrap_or_default());
+        self.read.set(read);
+        self.triangles.corners(place, axes)
+    }
+
+    fn primitive(&self, place: &Place<()>) -> u32 {
+        TriangleSource::<()>::primitive(&self.triangles, place)
+    }
+}
