@@ -4,8 +4,8 @@ use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
     FINEST_STEP, LatticeCodec, LeafCorner, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedTriangle, RootWords, RoundedNode, decode_node, encode_printed_triangle, encode_triangle,
-    node_bounds, scaled_step, with_links,
+    PrintedTriangle, RootWords, RoundedNode, encode_printed_triangle, encode_triangle, node_bounds,
+    scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -83,7 +83,7 @@ pub fn encode_q21_f32(
     store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
 }
 
-/// One thread per node. Reads the number of nodes, what [`lattice_step`] does, and the plain nodes on that lattice. Stores the node in 10 bits, yet without links, the corners of the leaves
+/// One thread per node. Reads the number of nodes, the scene's exponent, that of a lattice's step and whether it is in the caller's unit, and the plain nodes on that lattice. Stores the node in 10 bits, yet without links, the corners of the leaves
 /// below it and the words of a triangle, both for each of their triangles, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_q10_sizes(

@@ -67,7 +67,7 @@ pub fn refit_nodes(
     }
 }
 
-/// As [`refit_nodes`]. Reads what [`lattice_step`] does, too. Stores the node on that lattice.
+/// As [`refit_nodes`]. Reads the scene's exponent, that of a lattice's step and whether it is in the caller's unit, too. Stores the node on that lattice.
 #[spirv(compute(threads(64)))]
 pub fn refit_rounded(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -49,6 +49,30 @@ proptest! {
         }
     }
 
+    /// Of the same triangle twice, the one with the smaller index is met, as if it were alone.
+    #[test]
+    fn triangles_that_are_there_twice_change_no_answer(mesh in any_mesh(), recipes in some_rays(32)) {
+        let twice = Mesh {
+            vertices: mesh.vertices.clone(),
+            indices: [mesh.indices.as_slice(), &mesh.indices].concat(),
+            ..Mesh::default()
+        };
+        let count = mesh.indices.len() as u32;
+        for code_bits in CODE_BITS {
+            let (once, twice) = (build(&mesh, code_bits), build(&twice, code_bits));
+            for ray in cook(&recipes, &mesh) {
+                let (a, b) = (once.closest_hit(&ray), twice.closest_hit(&ray));
+                prop_assert_eq!(bytemuck::bytes_of(&a), bytemuck::bytes_of(&b), "{:?}", ray);
+                prop_assert_eq!(once.any_hit(&ray), twice.any_hit(&ray), "{:?}", ray);
+                let (a, b): ([Hit; 4], [Hit; 8]) = (once.nearest_hits(&ray), twice.nearest_hits(&ray));
+                let firsts = b.iter().filter(|hit| hit.is_hit() && hit.primitive < count).count();
+                let seconds = b.iter().filter(|hit| hit.is_hit() && hit.primitive >= count).count();
+                prop_assert!(firsts >= seconds, "{:?} {:#?}", ray, b);
+                prop_assert_eq!(a.iter().filter(|hit| hit.is_hit()).count().min(4), firsts.min(4), "{:?}", ray);
+            }
+        }
+    }
+
     #[test]
     fn answer_does_not_depend_on_the_order(mesh in any_mesh(), recipes in some_rays(32), seed: u64) {
         // Triangle i of the shuffled mesh is triangle order[i] of the mesh.

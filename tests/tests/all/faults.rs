@@ -1,8 +1,8 @@
 //! Load: builds in a row take no more memory, and what is too large is refused before any is taken.
 
-use slimbvh::generate::{icosphere, soup};
+use slimbvh::generate::{icosphere, soup, terrain};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, MeshError, NodeCodec};
-use slimbvh_core::MAX_TRIANGLES;
+use slimbvh_core::{MAX_TRIANGLES, Ray};
 
 /// Memory of a builder and a hierarchy is the same each time that the same mesh comes round.
 #[test]
@@ -39,6 +39,26 @@ fn thousands_of_builds_in_a_row_take_no_more_memory() {
             }
             assert_eq!(now, held[which], "build {build}, {nodes:?}, {mesh:?}");
         }
+    }
+}
+
+/// By hand: `cargo test --release -p slimbvh-tests --test all -- --ignored fifty_million`.
+#[test]
+#[ignore = "takes 10 GB and a minute"]
+fn fifty_million_triangles_are_built_and_traced() {
+    let mesh = terrain(10.0, 5000, 3);
+    assert_eq!(mesh.indices.len(), 50_000_000);
+    let built = Builder::new(BuildConfig::default()).build(&mesh);
+    let bvh = match built {
+        Ok(bvh) => bvh,
+        Err(error) => panic!("{error}"),
+    };
+    assert_eq!(bvh.validate(), Ok(()));
+    assert_eq!(bvh.triangle_count(), mesh.indices.len());
+    for i in 0..10_000u16 {
+        let [x, z] = [i % 100, i / 100].map(|i| 0.0987 * f32::from(i) - 4.9);
+        let hit = bvh.closest_hit(&Ray::new([x, 100.0, z], [0.0, -1.0, 0.0]));
+        assert!(hit.is_hit() && (97.5..=100.0).contains(&hit.t), "{hit:?}");
     }
 }
 
