@@ -72,41 +72,41 @@ fn function_() {
     var phi_164_: i32;
     var phi_165_: i32;
     var phi_207_: type_21;
-    var phi_258_: type_8;
-    var phi_261_: type_32;
-    var phi_263_: u32;
     var phi_259_: type_8;
-    var phi_286_: type_8;
-    var phi_308_: type_21;
-    var phi_317_: bool;
-    var phi_361_: i32;
-    var phi_376_: i32;
-    var phi_413_: i32;
-    var phi_428_: i32;
-    var phi_465_: i32;
-    var phi_480_: i32;
-    var phi_489_: type_32;
-    var phi_490_: u32;
     var phi_262_: type_32;
     var phi_264_: u32;
-    var phi_492_: bool;
-    var phi_1444_: bool;
+    var phi_260_: type_8;
+    var phi_287_: type_8;
+    var phi_309_: type_21;
+    var phi_318_: bool;
+    var phi_362_: i32;
+    var phi_377_: i32;
+    var phi_414_: i32;
+    var phi_429_: i32;
+    var phi_466_: i32;
+    var phi_481_: i32;
+    var phi_490_: type_32;
+    var phi_491_: u32;
+    var phi_263_: type_32;
+    var phi_265_: u32;
+    var phi_493_: bool;
+    var phi_1445_: bool;
     var local: type_32;
     var local_1: type_32;
-    var phi_1145_: u32;
-    var phi_1151_: u32;
-    var phi_1162_: u32;
-    var phi_1165_: type_8;
+    var phi_1146_: u32;
+    var phi_1152_: u32;
+    var phi_1163_: u32;
     var phi_1166_: type_8;
-    var phi_1189_: type_8;
-    var phi_1477_: bool;
-    var phi_1296_: u32;
-    var phi_1302_: u32;
-    var phi_1313_: u32;
-    var phi_1316_: type_8;
+    var phi_1167_: type_8;
+    var phi_1190_: type_8;
+    var phi_1478_: bool;
+    var phi_1297_: u32;
+    var phi_1303_: u32;
+    var phi_1314_: u32;
     var phi_1317_: type_8;
-    var phi_1340_: type_8;
-    var phi_1532_: bool;
+    var phi_1318_: type_8;
+    var phi_1341_: type_8;
+    var phi_1533_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -151,376 +151,376 @@ fn function_() {
                             phi_207_ = type_21(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                         }
                         let _e93 = phi_207_;
-                        phi_258_ = type_8(0u, 128u);
-                        phi_261_ = type_32(array<i32, 3>(select(_e93.member[0][0], _e93.member[0][1], (_e93.member[0][1] < _e93.member[0][0])), select(_e93.member[1][0], _e93.member[1][1], (_e93.member[1][1] < _e93.member[1][0])), select(_e93.member[2][0], _e93.member[2][1], (_e93.member[2][1] < _e93.member[2][0]))), array<i32, 3>(select(_e93.member[0][3], _e93.member[0][2], (_e93.member[0][3] < _e93.member[0][2])), select(_e93.member[1][3], _e93.member[1][2], (_e93.member[1][3] < _e93.member[1][2])), select(_e93.member[2][3], _e93.member[2][2], (_e93.member[2][3] < _e93.member[2][2]))));
-                        phi_263_ = 0u;
+                        phi_259_ = type_8(0u, 128u);
+                        phi_262_ = type_32(array<i32, 3>(select(_e93.member[0][0], _e93.member[0][1], (_e93.member[0][1] < _e93.member[0][0])), select(_e93.member[1][0], _e93.member[1][1], (_e93.member[1][1] < _e93.member[1][0])), select(_e93.member[2][0], _e93.member[2][1], (_e93.member[2][1] < _e93.member[2][0]))), array<i32, 3>(select(_e93.member[0][3], _e93.member[0][2], (_e93.member[0][3] < _e93.member[0][2])), select(_e93.member[1][3], _e93.member[1][2], (_e93.member[1][3] < _e93.member[1][2])), select(_e93.member[2][3], _e93.member[2][2], (_e93.member[2][3] < _e93.member[2][2]))));
+                        phi_264_ = 0u;
                         loop {
-                            let _e128 = phi_258_;
-                            let _e130 = phi_261_;
-                            let _e132 = phi_263_;
-                            local = _e130;
-                            local_1 = _e130;
-                            if (_e128.member < _e128.member_1) {
-                                phi_259_ = type_8((_e128.member + 1u), _e128.member_1);
-                                phi_286_ = type_8(1u, _e128.member);
+                            let _e126 = phi_259_;
+                            let _e128 = phi_262_;
+                            let _e130 = phi_264_;
+                            local = _e128;
+                            local_1 = _e128;
+                            if (_e126.member < _e126.member_1) {
+                                phi_260_ = type_8((_e126.member + 1u), _e126.member_1);
+                                phi_287_ = type_8(1u, _e126.member);
                             } else {
-                                phi_259_ = _e128;
-                                phi_286_ = type_8(0u, type_8().member_1);
+                                phi_260_ = _e126;
+                                phi_287_ = type_8(0u, type_8().member_1);
                             }
-                            let _e145 = phi_259_;
-                            let _e147 = phi_286_;
-                            if (bitcast<i32>(_e147.member) != 0i) {
-                                let _e151 = (_e132 == _e81);
-                                if _e151 {
-                                    phi_489_ = type_32();
-                                    phi_490_ = u32();
+                            let _e143 = phi_260_;
+                            let _e145 = phi_287_;
+                            if (bitcast<i32>(_e145.member) != 0i) {
+                                let _e149 = (_e130 == _e81);
+                                if _e149 {
+                                    phi_490_ = type_32();
+                                    phi_491_ = u32();
                                 } else {
-                                    let _e152 = (_e132 < _e42);
-                                    if _e152 {
-                                        if _e152 {
+                                    let _e150 = (_e130 < _e42);
+                                    if _e150 {
+                                        if _e150 {
                                         } else {
-                                            phi_1444_ = true;
+                                            phi_1445_ = true;
                                             break;
                                         }
-                                        let _e155 = global_4.member[_e132];
-                                        phi_308_ = _e155;
+                                        let _e153 = global_4.member[_e130];
+                                        phi_309_ = _e153;
                                     } else {
-                                        phi_308_ = type_21(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
+                                        phi_309_ = type_21(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                                     }
-                                    let _e157 = phi_308_;
-                                    if ((_e157.member_1 & 2147483648u) != 0u) {
-                                        phi_317_ = false;
+                                    let _e155 = phi_309_;
+                                    if ((_e155.member_1 & 2147483648u) != 0u) {
+                                        phi_318_ = false;
                                     } else {
-                                        phi_317_ = (_e81 <= _e157.member_1);
+                                        phi_318_ = (_e81 <= _e155.member_1);
                                     }
-                                    let _e164 = phi_317_;
-                                    let _e176 = bitcast<u32>((_e130.member_1[0] - _e130.member[0]));
-                                    let _e182 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e176)), 32u, (_e176 == 0u)));
-                                    let _e185 = (select(10u, _e182, (_e182 > 10u)) - 10u);
-                                    let _e190 = (_e157.member[0][0] - _e130.member[0]);
-                                    let _e191 = (_e157.member[0][1] - _e130.member[0]);
-                                    let _e192 = (_e130.member_1[0] - _e157.member[0][2]);
-                                    let _e193 = (_e130.member_1[0] - _e157.member[0][3]);
-                                    let _e194 = (_e190 > _e191);
-                                    if (_e194 == _e164) {
-                                        let _e197 = (_e185 & 31u);
-                                        phi_361_ = ((select(_e191, _e190, _e194) >> bitcast<u32>(_e197)) << bitcast<u32>(_e197));
+                                    let _e162 = phi_318_;
+                                    let _e174 = bitcast<u32>((_e128.member_1[0] - _e128.member[0]));
+                                    let _e180 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e174)), 32u, (_e174 == 0u)));
+                                    let _e183 = (select(10u, _e180, (_e180 > 10u)) - 10u);
+                                    let _e188 = (_e155.member[0][0] - _e128.member[0]);
+                                    let _e189 = (_e155.member[0][1] - _e128.member[0]);
+                                    let _e190 = (_e128.member_1[0] - _e155.member[0][2]);
+                                    let _e191 = (_e128.member_1[0] - _e155.member[0][3]);
+                                    let _e192 = (_e188 > _e189);
+                                    if (_e192 == _e162) {
+                                        let _e195 = (_e183 & 31u);
+                                        phi_362_ = ((select(_e189, _e188, _e192) >> bitcast<u32>(_e195)) << bitcast<u32>(_e195));
                                     } else {
-                                        phi_361_ = 0i;
+                                        phi_362_ = 0i;
                                     }
-                                    let _e203 = phi_361_;
-                                    let _e205 = (_e192 > _e193);
-                                    if (_e205 == _e164) {
-                                        let _e208 = (_e185 & 31u);
-                                        phi_376_ = ((select(_e193, _e192, _e205) >> bitcast<u32>(_e208)) << bitcast<u32>(_e208));
+                                    let _e201 = phi_362_;
+                                    let _e203 = (_e190 > _e191);
+                                    if (_e203 == _e162) {
+                                        let _e206 = (_e183 & 31u);
+                                        phi_377_ = ((select(_e191, _e190, _e203) >> bitcast<u32>(_e206)) << bitcast<u32>(_e206));
                                     } else {
-                                        phi_376_ = 0i;
+                                        phi_377_ = 0i;
                                     }
-                                    let _e214 = phi_376_;
-                                    let _e219 = bitcast<u32>((_e130.member_1[1] - _e130.member[1]));
-                                    let _e225 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u)));
-                                    let _e228 = (select(10u, _e225, (_e225 > 10u)) - 10u);
-                                    let _e233 = (_e157.member[1][0] - _e130.member[1]);
-                                    let _e234 = (_e157.member[1][1] - _e130.member[1]);
-                                    let _e235 = (_e130.member_1[1] - _e157.member[1][2]);
-                                    let _e236 = (_e130.member_1[1] - _e157.member[1][3]);
-                                    let _e237 = (_e233 > _e234);
-                                    if (_e237 == _e164) {
-                                        let _e240 = (_e228 & 31u);
-                                        phi_413_ = ((select(_e234, _e233, _e237) >> bitcast<u32>(_e240)) << bitcast<u32>(_e240));
+                                    let _e212 = phi_377_;
+                                    let _e217 = bitcast<u32>((_e128.member_1[1] - _e128.member[1]));
+                                    let _e223 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e217)), 32u, (_e217 == 0u)));
+                                    let _e226 = (select(10u, _e223, (_e223 > 10u)) - 10u);
+                                    let _e231 = (_e155.member[1][0] - _e128.member[1]);
+                                    let _e232 = (_e155.member[1][1] - _e128.member[1]);
+                                    let _e233 = (_e128.member_1[1] - _e155.member[1][2]);
+                                    let _e234 = (_e128.member_1[1] - _e155.member[1][3]);
+                                    let _e235 = (_e231 > _e232);
+                                    if (_e235 == _e162) {
+                                        let _e238 = (_e226 & 31u);
+                                        phi_414_ = ((select(_e232, _e231, _e235) >> bitcast<u32>(_e238)) << bitcast<u32>(_e238));
                                     } else {
-                                        phi_413_ = 0i;
+                                        phi_414_ = 0i;
                                     }
-                                    let _e246 = phi_413_;
-                                    let _e248 = (_e235 > _e236);
-                                    if (_e248 == _e164) {
-                                        let _e251 = (_e228 & 31u);
-                                        phi_428_ = ((select(_e236, _e235, _e248) >> bitcast<u32>(_e251)) << bitcast<u32>(_e251));
+                                    let _e244 = phi_414_;
+                                    let _e246 = (_e233 > _e234);
+                                    if (_e246 == _e162) {
+                                        let _e249 = (_e226 & 31u);
+                                        phi_429_ = ((select(_e234, _e233, _e246) >> bitcast<u32>(_e249)) << bitcast<u32>(_e249));
                                     } else {
-                                        phi_428_ = 0i;
+                                        phi_429_ = 0i;
                                     }
-                                    let _e257 = phi_428_;
-                                    let _e262 = bitcast<u32>((_e130.member_1[2] - _e130.member[2]));
-                                    let _e268 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e262)), 32u, (_e262 == 0u)));
-                                    let _e271 = (select(10u, _e268, (_e268 > 10u)) - 10u);
-                                    let _e276 = (_e157.member[2][0] - _e130.member[2]);
-                                    let _e277 = (_e157.member[2][1] - _e130.member[2]);
-                                    let _e278 = (_e130.member_1[2] - _e157.member[2][2]);
-                                    let _e279 = (_e130.member_1[2] - _e157.member[2][3]);
-                                    let _e280 = (_e276 > _e277);
-                                    if (_e280 == _e164) {
-                                        let _e283 = (_e271 & 31u);
-                                        phi_465_ = ((select(_e277, _e276, _e280) >> bitcast<u32>(_e283)) << bitcast<u32>(_e283));
+                                    let _e255 = phi_429_;
+                                    let _e260 = bitcast<u32>((_e128.member_1[2] - _e128.member[2]));
+                                    let _e266 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e260)), 32u, (_e260 == 0u)));
+                                    let _e269 = (select(10u, _e266, (_e266 > 10u)) - 10u);
+                                    let _e274 = (_e155.member[2][0] - _e128.member[2]);
+                                    let _e275 = (_e155.member[2][1] - _e128.member[2]);
+                                    let _e276 = (_e128.member_1[2] - _e155.member[2][2]);
+                                    let _e277 = (_e128.member_1[2] - _e155.member[2][3]);
+                                    let _e278 = (_e274 > _e275);
+                                    if (_e278 == _e162) {
+                                        let _e281 = (_e269 & 31u);
+                                        phi_466_ = ((select(_e275, _e274, _e278) >> bitcast<u32>(_e281)) << bitcast<u32>(_e281));
                                     } else {
-                                        phi_465_ = 0i;
+                                        phi_466_ = 0i;
                                     }
-                                    let _e289 = phi_465_;
-                                    let _e291 = (_e278 > _e279);
-                                    if (_e291 == _e164) {
-                                        let _e294 = (_e271 & 31u);
-                                        phi_480_ = ((select(_e279, _e278, _e291) >> bitcast<u32>(_e294)) << bitcast<u32>(_e294));
+                                    let _e287 = phi_466_;
+                                    let _e289 = (_e276 > _e277);
+                                    if (_e289 == _e162) {
+                                        let _e292 = (_e269 & 31u);
+                                        phi_481_ = ((select(_e277, _e276, _e289) >> bitcast<u32>(_e292)) << bitcast<u32>(_e292));
                                     } else {
-                                        phi_480_ = 0i;
+                                        phi_481_ = 0i;
                                     }
-                                    let _e300 = phi_480_;
-                                    phi_489_ = type_32(array<i32, 3>((_e130.member[0] + _e203), (_e130.member[1] + _e246), (_e130.member[2] + _e289)), array<i32, 3>((_e130.member_1[0] - _e214), (_e130.member_1[1] - _e257), (_e130.member_1[2] - _e300)));
-                                    phi_490_ = select(_e157.member_2, _e157.member_1, _e164);
+                                    let _e298 = phi_481_;
+                                    phi_490_ = type_32(array<i32, 3>((_e128.member[0] + _e201), (_e128.member[1] + _e244), (_e128.member[2] + _e287)), array<i32, 3>((_e128.member_1[0] - _e212), (_e128.member_1[1] - _e255), (_e128.member_1[2] - _e298)));
+                                    phi_491_ = select(_e155.member_2, _e155.member_1, _e162);
                                 }
-                                let _e307 = phi_489_;
-                                let _e309 = phi_490_;
-                                phi_262_ = _e307;
-                                phi_264_ = _e309;
-                                phi_492_ = select(true, false, _e151);
+                                let _e305 = phi_490_;
+                                let _e307 = phi_491_;
+                                phi_263_ = _e305;
+                                phi_265_ = _e307;
+                                phi_493_ = select(true, false, _e149);
                             } else {
-                                phi_262_ = type_32();
-                                phi_264_ = u32();
-                                phi_492_ = false;
+                                phi_263_ = type_32();
+                                phi_265_ = u32();
+                                phi_493_ = false;
                             }
-                            let _e312 = phi_262_;
-                            let _e314 = phi_264_;
-                            let _e316 = phi_492_;
+                            let _e310 = phi_263_;
+                            let _e312 = phi_265_;
+                            let _e314 = phi_493_;
                             continue;
                             continuing {
-                                phi_258_ = _e145;
-                                phi_261_ = _e312;
-                                phi_263_ = _e314;
-                                phi_1444_ = false;
-                                break if !(_e316);
+                                phi_259_ = _e143;
+                                phi_262_ = _e310;
+                                phi_264_ = _e312;
+                                phi_1445_ = false;
+                                break if !(_e314);
                             }
                         }
-                        let _e319 = phi_1444_;
-                        if _e319 {
+                        let _e317 = phi_1445_;
+                        if _e317 {
                             break;
                         }
                         if _e86 {
                         } else {
                             break;
                         }
-                        let _e321 = local;
-                        let _e324 = local_1;
-                        let _e336 = global_4.member[_e81].member[0u];
-                        let _e338 = bitcast<u32>((_e324.member_1[0] - _e321.member[0]));
-                        let _e344 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u)));
-                        let _e352 = (_e336[0] - _e321.member[0]);
-                        let _e353 = (_e336[1] - _e321.member[0]);
-                        let _e354 = (_e324.member_1[0] - _e336[2]);
-                        let _e355 = (_e324.member_1[0] - _e336[3]);
-                        let _e356 = (_e352 > _e353);
-                        let _e359 = ((select(10u, _e344, (_e344 > 10u)) - 10u) & 31u);
-                        let _e366 = (((bitcast<u32>(select(_e353, _e352, _e356)) >> bitcast<u32>(_e359)) & 1023u) | (select(0u, 1u, _e356) << bitcast<u32>(10u)));
-                        let _e367 = (_e354 > _e355);
-                        let _e376 = (((bitcast<u32>(select(_e355, _e354, _e367)) >> bitcast<u32>(_e359)) & 1023u) | (select(0u, 1u, _e367) << bitcast<u32>(10u)));
-                        let _e381 = global_4.member[_e81].member[1u];
-                        let _e383 = bitcast<u32>((_e324.member_1[1] - _e321.member[1]));
-                        let _e389 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, (_e383 == 0u)));
-                        let _e397 = (_e381[0] - _e321.member[1]);
-                        let _e398 = (_e381[1] - _e321.member[1]);
-                        let _e399 = (_e324.member_1[1] - _e381[2]);
-                        let _e400 = (_e324.member_1[1] - _e381[3]);
-                        let _e401 = (_e397 > _e398);
-                        let _e404 = ((select(10u, _e389, (_e389 > 10u)) - 10u) & 31u);
-                        let _e411 = (((bitcast<u32>(select(_e398, _e397, _e401)) >> bitcast<u32>(_e404)) & 1023u) | (select(0u, 1u, _e401) << bitcast<u32>(10u)));
-                        let _e412 = (_e399 > _e400);
-                        let _e421 = (((bitcast<u32>(select(_e400, _e399, _e412)) >> bitcast<u32>(_e404)) & 1023u) | (select(0u, 1u, _e412) << bitcast<u32>(10u)));
-                        let _e426 = global_4.member[_e81].member[2u];
-                        let _e428 = bitcast<u32>((_e324.member_1[2] - _e321.member[2]));
-                        let _e434 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e428)), 32u, (_e428 == 0u)));
-                        let _e442 = (_e426[0] - _e321.member[2]);
-                        let _e443 = (_e426[1] - _e321.member[2]);
-                        let _e444 = (_e324.member_1[2] - _e426[2]);
-                        let _e445 = (_e324.member_1[2] - _e426[3]);
-                        let _e446 = (_e442 > _e443);
-                        let _e449 = ((select(10u, _e434, (_e434 > 10u)) - 10u) & 31u);
-                        let _e456 = (((bitcast<u32>(select(_e443, _e442, _e446)) >> bitcast<u32>(_e449)) & 1023u) | (select(0u, 1u, _e446) << bitcast<u32>(10u)));
-                        let _e457 = (_e444 > _e445);
-                        let _e466 = (((bitcast<u32>(select(_e445, _e444, _e457)) >> bitcast<u32>(_e449)) & 1023u) | (select(0u, 1u, _e457) << bitcast<u32>(10u)));
-                        let _e480 = (_e321.member[0] + bitcast<i32>(((_e366 & 1023u) << bitcast<u32>(_e359))));
-                        let _e485 = (_e324.member_1[0] - bitcast<i32>(((_e376 & 1023u) << bitcast<u32>(_e359))));
-                        let _e489 = (((_e366 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e493 = (((_e376 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e494 = select(_e321.member[0], _e480, _e489);
-                        let _e495 = select(_e480, _e321.member[0], _e489);
-                        let _e502 = (_e321.member[1] + bitcast<i32>(((_e411 & 1023u) << bitcast<u32>(_e404))));
-                        let _e507 = (_e324.member_1[1] - bitcast<i32>(((_e421 & 1023u) << bitcast<u32>(_e404))));
-                        let _e511 = (((_e411 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e515 = (((_e421 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e516 = select(_e321.member[1], _e502, _e511);
-                        let _e517 = select(_e502, _e321.member[1], _e511);
-                        let _e524 = (_e321.member[2] + bitcast<i32>(((_e456 & 1023u) << bitcast<u32>(_e449))));
-                        let _e529 = (_e324.member_1[2] - bitcast<i32>(((_e466 & 1023u) << bitcast<u32>(_e449))));
-                        let _e533 = (((_e456 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e537 = (((_e466 >> bitcast<u32>(10u)) & 1u) == 1u);
-                        let _e538 = select(_e321.member[2], _e524, _e533);
-                        let _e539 = select(_e524, _e321.member[2], _e533);
+                        let _e319 = local;
+                        let _e322 = local_1;
+                        let _e334 = global_4.member[_e81].member[0u];
+                        let _e336 = bitcast<u32>((_e322.member_1[0] - _e319.member[0]));
+                        let _e342 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e336)), 32u, (_e336 == 0u)));
+                        let _e350 = (_e334[0] - _e319.member[0]);
+                        let _e351 = (_e334[1] - _e319.member[0]);
+                        let _e352 = (_e322.member_1[0] - _e334[2]);
+                        let _e353 = (_e322.member_1[0] - _e334[3]);
+                        let _e354 = (_e350 > _e351);
+                        let _e357 = ((select(10u, _e342, (_e342 > 10u)) - 10u) & 31u);
+                        let _e364 = (((bitcast<u32>(select(_e351, _e350, _e354)) >> bitcast<u32>(_e357)) & 1023u) | (select(0u, 1u, _e354) << bitcast<u32>(10u)));
+                        let _e365 = (_e352 > _e353);
+                        let _e374 = (((bitcast<u32>(select(_e353, _e352, _e365)) >> bitcast<u32>(_e357)) & 1023u) | (select(0u, 1u, _e365) << bitcast<u32>(10u)));
+                        let _e379 = global_4.member[_e81].member[1u];
+                        let _e381 = bitcast<u32>((_e322.member_1[1] - _e319.member[1]));
+                        let _e387 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e381)), 32u, (_e381 == 0u)));
+                        let _e395 = (_e379[0] - _e319.member[1]);
+                        let _e396 = (_e379[1] - _e319.member[1]);
+                        let _e397 = (_e322.member_1[1] - _e379[2]);
+                        let _e398 = (_e322.member_1[1] - _e379[3]);
+                        let _e399 = (_e395 > _e396);
+                        let _e402 = ((select(10u, _e387, (_e387 > 10u)) - 10u) & 31u);
+                        let _e409 = (((bitcast<u32>(select(_e396, _e395, _e399)) >> bitcast<u32>(_e402)) & 1023u) | (select(0u, 1u, _e399) << bitcast<u32>(10u)));
+                        let _e410 = (_e397 > _e398);
+                        let _e419 = (((bitcast<u32>(select(_e398, _e397, _e410)) >> bitcast<u32>(_e402)) & 1023u) | (select(0u, 1u, _e410) << bitcast<u32>(10u)));
+                        let _e424 = global_4.member[_e81].member[2u];
+                        let _e426 = bitcast<u32>((_e322.member_1[2] - _e319.member[2]));
+                        let _e432 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e426)), 32u, (_e426 == 0u)));
+                        let _e440 = (_e424[0] - _e319.member[2]);
+                        let _e441 = (_e424[1] - _e319.member[2]);
+                        let _e442 = (_e322.member_1[2] - _e424[2]);
+                        let _e443 = (_e322.member_1[2] - _e424[3]);
+                        let _e444 = (_e440 > _e441);
+                        let _e447 = ((select(10u, _e432, (_e432 > 10u)) - 10u) & 31u);
+                        let _e454 = (((bitcast<u32>(select(_e441, _e440, _e444)) >> bitcast<u32>(_e447)) & 1023u) | (select(0u, 1u, _e444) << bitcast<u32>(10u)));
+                        let _e455 = (_e442 > _e443);
+                        let _e464 = (((bitcast<u32>(select(_e443, _e442, _e455)) >> bitcast<u32>(_e447)) & 1023u) | (select(0u, 1u, _e455) << bitcast<u32>(10u)));
+                        let _e478 = (_e319.member[0] + bitcast<i32>(((_e364 & 1023u) << bitcast<u32>(_e357))));
+                        let _e483 = (_e322.member_1[0] - bitcast<i32>(((_e374 & 1023u) << bitcast<u32>(_e357))));
+                        let _e487 = (((_e364 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e491 = (((_e374 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e492 = select(_e319.member[0], _e478, _e487);
+                        let _e493 = select(_e478, _e319.member[0], _e487);
+                        let _e500 = (_e319.member[1] + bitcast<i32>(((_e409 & 1023u) << bitcast<u32>(_e402))));
+                        let _e505 = (_e322.member_1[1] - bitcast<i32>(((_e419 & 1023u) << bitcast<u32>(_e402))));
+                        let _e509 = (((_e409 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e513 = (((_e419 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e514 = select(_e319.member[1], _e500, _e509);
+                        let _e515 = select(_e500, _e319.member[1], _e509);
+                        let _e522 = (_e319.member[2] + bitcast<i32>(((_e454 & 1023u) << bitcast<u32>(_e447))));
+                        let _e527 = (_e322.member_1[2] - bitcast<i32>(((_e464 & 1023u) << bitcast<u32>(_e447))));
+                        let _e531 = (((_e454 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e535 = (((_e464 >> bitcast<u32>(10u)) & 1u) == 1u);
+                        let _e536 = select(_e319.member[2], _e522, _e531);
+                        let _e537 = select(_e522, _e319.member[2], _e531);
                         if _e87 {
                         } else {
                             break;
                         }
-                        global_5.member[_e81] = array<u32, 4>(0u, (_e366 | (_e376 << bitcast<u32>(11u))), (_e411 | (_e421 << bitcast<u32>(11u))), (_e456 | (_e466 << bitcast<u32>(11u))));
+                        global_5.member[_e81] = array<u32, 4>(0u, (_e364 | (_e374 << bitcast<u32>(11u))), (_e409 | (_e419 << bitcast<u32>(11u))), (_e454 | (_e464 << bitcast<u32>(11u))));
                         if _e86 {
                         } else {
                             break;
                         }
-                        let _e548 = global_4.member[_e81].member_1;
-                        let _e557 = ((bitcast<u32>((select(_e324.member_1[0], _e485, _e493) - _e494)) | bitcast<u32>((select(_e324.member_1[1], _e507, _e515) - _e516))) | bitcast<u32>((select(_e324.member_1[2], _e529, _e537) - _e538)));
-                        if (_e557 < 1024u) {
-                            phi_1145_ = 0u;
+                        let _e546 = global_4.member[_e81].member_1;
+                        let _e555 = ((bitcast<u32>((select(_e322.member_1[0], _e483, _e491) - _e492)) | bitcast<u32>((select(_e322.member_1[1], _e505, _e513) - _e514))) | bitcast<u32>((select(_e322.member_1[2], _e527, _e535) - _e536)));
+                        if (_e555 < 1024u) {
+                            phi_1146_ = 0u;
                         } else {
-                            phi_1145_ = select(2u, 1u, (_e557 < 2097152u));
+                            phi_1146_ = select(2u, 1u, (_e555 < 2097152u));
                         }
-                        let _e562 = phi_1145_;
-                        switch bitcast<i32>(_e562) {
+                        let _e560 = phi_1146_;
+                        switch bitcast<i32>(_e560) {
                             case 0: {
-                                phi_1151_ = 1u;
+                                phi_1152_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_1151_ = 2u;
+                                phi_1152_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_1151_ = 3u;
+                                phi_1152_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_1151_ = u32();
+                                phi_1152_ = u32();
                                 break;
                             }
                         }
-                        let _e565 = phi_1151_;
-                        let _e567 = ((3u * _e565) + 1u);
-                        if ((_e548 & 2147483648u) != 0u) {
-                            phi_1162_ = ((_e548 >> bitcast<u32>(28u)) & 7u);
+                        let _e563 = phi_1152_;
+                        let _e565 = ((3u * _e563) + 1u);
+                        if ((_e546 & 2147483648u) != 0u) {
+                            phi_1163_ = ((_e546 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_1162_ = 0u;
+                            phi_1163_ = 0u;
                         }
-                        let _e575 = phi_1162_;
-                        phi_1165_ = type_8(0u, _e575);
+                        let _e573 = phi_1163_;
+                        phi_1166_ = type_8(0u, _e573);
                         loop {
-                            let _e578 = phi_1165_;
-                            if (_e578.member < _e578.member_1) {
-                                phi_1166_ = type_8((_e578.member + 1u), _e578.member_1);
-                                phi_1189_ = type_8(1u, _e578.member);
+                            let _e576 = phi_1166_;
+                            if (_e576.member < _e576.member_1) {
+                                phi_1167_ = type_8((_e576.member + 1u), _e576.member_1);
+                                phi_1190_ = type_8(1u, _e576.member);
                             } else {
-                                phi_1166_ = _e578;
-                                phi_1189_ = type_8(0u, type_8().member_1);
+                                phi_1167_ = _e576;
+                                phi_1190_ = type_8(0u, type_8().member_1);
                             }
-                            let _e591 = phi_1166_;
-                            let _e593 = phi_1189_;
-                            let _e597 = (bitcast<i32>(_e593.member) != 0i);
-                            if _e597 {
-                                let _e599 = ((_e548 & 268435455u) + _e593.member_1);
-                                let _e600 = (_e599 < _e47);
-                                if _e600 {
-                                    let _e601 = (_e599 < _e50);
-                                    if _e601 {
-                                        if _e600 {
+                            let _e589 = phi_1167_;
+                            let _e591 = phi_1190_;
+                            let _e595 = (bitcast<i32>(_e591.member) != 0i);
+                            if _e595 {
+                                let _e597 = ((_e546 & 268435455u) + _e591.member_1);
+                                let _e598 = (_e597 < _e47);
+                                if _e598 {
+                                    let _e599 = (_e597 < _e50);
+                                    if _e599 {
+                                        if _e598 {
                                         } else {
-                                            phi_1477_ = true;
+                                            phi_1478_ = true;
                                             break;
                                         }
-                                        global_6.member[_e599] = type_36(array<i32, 3>(_e494, _e516, _e538), _e567);
-                                        if _e601 {
+                                        global_6.member[_e597] = type_36(array<i32, 3>(_e492, _e514, _e536), _e565);
+                                        if _e599 {
                                         } else {
-                                            phi_1477_ = true;
+                                            phi_1478_ = true;
                                             break;
                                         }
-                                        global_7.member[_e599] = _e567;
+                                        global_7.member[_e597] = _e565;
                                     }
                                 }
                             }
                             continue;
                             continuing {
-                                phi_1165_ = _e591;
-                                phi_1477_ = _e319;
-                                break if !(_e597);
+                                phi_1166_ = _e589;
+                                phi_1478_ = _e317;
+                                break if !(_e595);
                             }
                         }
-                        let _e606 = phi_1477_;
-                        if _e606 {
+                        let _e604 = phi_1478_;
+                        if _e604 {
                             break;
                         }
                         if _e86 {
                         } else {
                             break;
                         }
-                        let _e610 = global_4.member[_e81].member_2;
-                        let _e619 = ((bitcast<u32>((select(_e485, _e324.member_1[0], _e493) - _e495)) | bitcast<u32>((select(_e507, _e324.member_1[1], _e515) - _e517))) | bitcast<u32>((select(_e529, _e324.member_1[2], _e537) - _e539)));
-                        if (_e619 < 1024u) {
-                            phi_1296_ = 0u;
+                        let _e608 = global_4.member[_e81].member_2;
+                        let _e617 = ((bitcast<u32>((select(_e483, _e322.member_1[0], _e491) - _e493)) | bitcast<u32>((select(_e505, _e322.member_1[1], _e513) - _e515))) | bitcast<u32>((select(_e527, _e322.member_1[2], _e535) - _e537)));
+                        if (_e617 < 1024u) {
+                            phi_1297_ = 0u;
                         } else {
-                            phi_1296_ = select(2u, 1u, (_e619 < 2097152u));
+                            phi_1297_ = select(2u, 1u, (_e617 < 2097152u));
                         }
-                        let _e624 = phi_1296_;
-                        switch bitcast<i32>(_e624) {
+                        let _e622 = phi_1297_;
+                        switch bitcast<i32>(_e622) {
                             case 0: {
-                                phi_1302_ = 1u;
+                                phi_1303_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_1302_ = 2u;
+                                phi_1303_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_1302_ = 3u;
+                                phi_1303_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_1302_ = u32();
+                                phi_1303_ = u32();
                                 break;
                             }
                         }
-                        let _e627 = phi_1302_;
-                        let _e629 = ((3u * _e627) + 1u);
-                        if ((_e610 & 2147483648u) != 0u) {
-                            phi_1313_ = ((_e610 >> bitcast<u32>(28u)) & 7u);
+                        let _e625 = phi_1303_;
+                        let _e627 = ((3u * _e625) + 1u);
+                        if ((_e608 & 2147483648u) != 0u) {
+                            phi_1314_ = ((_e608 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_1313_ = 0u;
+                            phi_1314_ = 0u;
                         }
-                        let _e637 = phi_1313_;
-                        phi_1316_ = type_8(0u, _e637);
+                        let _e635 = phi_1314_;
+                        phi_1317_ = type_8(0u, _e635);
                         loop {
-                            let _e640 = phi_1316_;
-                            if (_e640.member < _e640.member_1) {
-                                phi_1317_ = type_8((_e640.member + 1u), _e640.member_1);
-                                phi_1340_ = type_8(1u, _e640.member);
+                            let _e638 = phi_1317_;
+                            if (_e638.member < _e638.member_1) {
+                                phi_1318_ = type_8((_e638.member + 1u), _e638.member_1);
+                                phi_1341_ = type_8(1u, _e638.member);
                             } else {
-                                phi_1317_ = _e640;
-                                phi_1340_ = type_8(0u, type_8().member_1);
+                                phi_1318_ = _e638;
+                                phi_1341_ = type_8(0u, type_8().member_1);
                             }
-                            let _e653 = phi_1317_;
-                            let _e655 = phi_1340_;
-                            let _e659 = (bitcast<i32>(_e655.member) != 0i);
-                            if _e659 {
-                                let _e661 = ((_e610 & 268435455u) + _e655.member_1);
-                                let _e662 = (_e661 < _e47);
-                                if _e662 {
-                                    let _e663 = (_e661 < _e50);
-                                    if _e663 {
-                                        if _e662 {
+                            let _e651 = phi_1318_;
+                            let _e653 = phi_1341_;
+                            let _e657 = (bitcast<i32>(_e653.member) != 0i);
+                            if _e657 {
+                                let _e659 = ((_e608 & 268435455u) + _e653.member_1);
+                                let _e660 = (_e659 < _e47);
+                                if _e660 {
+                                    let _e661 = (_e659 < _e50);
+                                    if _e661 {
+                                        if _e660 {
                                         } else {
-                                            phi_1532_ = true;
+                                            phi_1533_ = true;
                                             break;
                                         }
-                                        global_6.member[_e661] = type_36(array<i32, 3>(_e495, _e517, _e539), _e629);
-                                        if _e663 {
+                                        global_6.member[_e659] = type_36(array<i32, 3>(_e493, _e515, _e537), _e627);
+                                        if _e661 {
                                         } else {
-                                            phi_1532_ = true;
+                                            phi_1533_ = true;
                                             break;
                                         }
-                                        global_7.member[_e661] = _e629;
+                                        global_7.member[_e659] = _e627;
                                     }
                                 }
                             }
                             continue;
                             continuing {
-                                phi_1316_ = _e653;
-                                phi_1532_ = _e606;
-                                break if !(_e659);
+                                phi_1317_ = _e651;
+                                phi_1533_ = _e604;
+                                break if !(_e657);
                             }
                         }
-                        let _e668 = phi_1532_;
-                        if _e668 {
+                        let _e666 = phi_1533_;
+                        if _e666 {
                             break;
                         }
                         if (_e81 == 0u) {
@@ -530,7 +530,7 @@ fn function_() {
                                 } else {
                                     break;
                                 }
-                                global_8.member[0u] = type_26(array<u32, 4>(bitcast<u32>(_e321.member[0]), bitcast<u32>(_e321.member[1]), bitcast<u32>(_e321.member[2]), bitcast<u32>(_e77)), array<u32, 4>(bitcast<u32>(_e324.member_1[0]), bitcast<u32>(_e324.member_1[1]), bitcast<u32>(_e324.member_1[2]), 0u));
+                                global_8.member[0u] = type_26(array<u32, 4>(bitcast<u32>(_e319.member[0]), bitcast<u32>(_e319.member[1]), bitcast<u32>(_e319.member[2]), bitcast<u32>(_e77)), array<u32, 4>(bitcast<u32>(_e322.member_1[0]), bitcast<u32>(_e322.member_1[1]), bitcast<u32>(_e322.member_1[2]), 0u));
                             }
                         }
                     }

@@ -49,37 +49,37 @@ var<storage, read_write> global_4: type_29;
 
 fn function_() {
     var phi_139_: type_14;
-    var phi_190_: type_4;
-    var phi_193_: type_24;
-    var phi_195_: u32;
     var phi_191_: type_4;
-    var phi_218_: type_4;
-    var phi_240_: type_14;
-    var phi_249_: bool;
-    var phi_293_: i32;
-    var phi_308_: i32;
-    var phi_345_: i32;
-    var phi_360_: i32;
-    var phi_397_: i32;
-    var phi_412_: i32;
-    var phi_421_: type_24;
-    var phi_422_: u32;
     var phi_194_: type_24;
     var phi_196_: u32;
-    var phi_424_: bool;
-    var phi_1424_: bool;
+    var phi_192_: type_4;
+    var phi_219_: type_4;
+    var phi_241_: type_14;
+    var phi_250_: bool;
+    var phi_294_: i32;
+    var phi_309_: i32;
+    var phi_346_: i32;
+    var phi_361_: i32;
+    var phi_398_: i32;
+    var phi_413_: i32;
+    var phi_422_: type_24;
+    var phi_423_: u32;
+    var phi_195_: type_24;
+    var phi_197_: u32;
+    var phi_425_: bool;
+    var phi_1425_: bool;
     var local: type_24;
     var local_1: type_24;
-    var phi_854_: u32;
-    var phi_856_: u32;
-    var phi_857_: bool;
-    var phi_873_: u32;
-    var phi_875_: u32;
-    var phi_876_: bool;
-    var phi_881_: u32;
-    var phi_909_: u32;
-    var phi_924_: u32;
-    var phi_939_: u32;
+    var phi_855_: u32;
+    var phi_857_: u32;
+    var phi_858_: bool;
+    var phi_874_: u32;
+    var phi_876_: u32;
+    var phi_877_: bool;
+    var phi_882_: u32;
+    var phi_910_: u32;
+    var phi_925_: u32;
+    var phi_940_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -105,232 +105,232 @@ fn function_() {
                             phi_139_ = type_14(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                         }
                         let _e59 = phi_139_;
-                        phi_190_ = type_4(0u, 128u);
-                        phi_193_ = type_24(array<i32, 3>(select(_e59.member[0][0], _e59.member[0][1], (_e59.member[0][1] < _e59.member[0][0])), select(_e59.member[1][0], _e59.member[1][1], (_e59.member[1][1] < _e59.member[1][0])), select(_e59.member[2][0], _e59.member[2][1], (_e59.member[2][1] < _e59.member[2][0]))), array<i32, 3>(select(_e59.member[0][3], _e59.member[0][2], (_e59.member[0][3] < _e59.member[0][2])), select(_e59.member[1][3], _e59.member[1][2], (_e59.member[1][3] < _e59.member[1][2])), select(_e59.member[2][3], _e59.member[2][2], (_e59.member[2][3] < _e59.member[2][2]))));
-                        phi_195_ = 0u;
+                        phi_191_ = type_4(0u, 128u);
+                        phi_194_ = type_24(array<i32, 3>(select(_e59.member[0][0], _e59.member[0][1], (_e59.member[0][1] < _e59.member[0][0])), select(_e59.member[1][0], _e59.member[1][1], (_e59.member[1][1] < _e59.member[1][0])), select(_e59.member[2][0], _e59.member[2][1], (_e59.member[2][1] < _e59.member[2][0]))), array<i32, 3>(select(_e59.member[0][3], _e59.member[0][2], (_e59.member[0][3] < _e59.member[0][2])), select(_e59.member[1][3], _e59.member[1][2], (_e59.member[1][3] < _e59.member[1][2])), select(_e59.member[2][3], _e59.member[2][2], (_e59.member[2][3] < _e59.member[2][2]))));
+                        phi_196_ = 0u;
                         loop {
-                            let _e94 = phi_190_;
-                            let _e96 = phi_193_;
-                            let _e98 = phi_195_;
-                            local = _e96;
-                            local_1 = _e96;
-                            if (_e94.member < _e94.member_1) {
-                                phi_191_ = type_4((_e94.member + 1u), _e94.member_1);
-                                phi_218_ = type_4(1u, _e94.member);
+                            let _e92 = phi_191_;
+                            let _e94 = phi_194_;
+                            let _e96 = phi_196_;
+                            local = _e94;
+                            local_1 = _e94;
+                            if (_e92.member < _e92.member_1) {
+                                phi_192_ = type_4((_e92.member + 1u), _e92.member_1);
+                                phi_219_ = type_4(1u, _e92.member);
                             } else {
-                                phi_191_ = _e94;
-                                phi_218_ = type_4(0u, type_4().member_1);
+                                phi_192_ = _e92;
+                                phi_219_ = type_4(0u, type_4().member_1);
                             }
-                            let _e111 = phi_191_;
-                            let _e113 = phi_218_;
-                            if (bitcast<i32>(_e113.member) != 0i) {
-                                let _e117 = (_e98 == _e47);
-                                if _e117 {
-                                    phi_421_ = type_24();
-                                    phi_422_ = u32();
+                            let _e109 = phi_192_;
+                            let _e111 = phi_219_;
+                            if (bitcast<i32>(_e111.member) != 0i) {
+                                let _e115 = (_e96 == _e47);
+                                if _e115 {
+                                    phi_422_ = type_24();
+                                    phi_423_ = u32();
                                 } else {
-                                    let _e118 = (_e98 < _e39);
-                                    if _e118 {
-                                        if _e118 {
+                                    let _e116 = (_e96 < _e39);
+                                    if _e116 {
+                                        if _e116 {
                                         } else {
-                                            phi_1424_ = true;
+                                            phi_1425_ = true;
                                             break;
                                         }
-                                        let _e121 = global_2.member[_e98];
-                                        phi_240_ = _e121;
+                                        let _e119 = global_2.member[_e96];
+                                        phi_241_ = _e119;
                                     } else {
-                                        phi_240_ = type_14(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
+                                        phi_241_ = type_14(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                                     }
-                                    let _e123 = phi_240_;
-                                    if ((_e123.member_1 & 2147483648u) != 0u) {
-                                        phi_249_ = false;
+                                    let _e121 = phi_241_;
+                                    if ((_e121.member_1 & 2147483648u) != 0u) {
+                                        phi_250_ = false;
                                     } else {
-                                        phi_249_ = (_e47 <= _e123.member_1);
+                                        phi_250_ = (_e47 <= _e121.member_1);
                                     }
-                                    let _e130 = phi_249_;
-                                    let _e142 = bitcast<u32>((_e96.member_1[0] - _e96.member[0]));
-                                    let _e148 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e142)), 32u, (_e142 == 0u)));
-                                    let _e151 = (select(21u, _e148, (_e148 > 21u)) - 21u);
-                                    let _e156 = (_e123.member[0][0] - _e96.member[0]);
-                                    let _e157 = (_e123.member[0][1] - _e96.member[0]);
-                                    let _e158 = (_e96.member_1[0] - _e123.member[0][2]);
-                                    let _e159 = (_e96.member_1[0] - _e123.member[0][3]);
-                                    let _e160 = (_e156 > _e157);
-                                    if (_e160 == _e130) {
-                                        let _e163 = (_e151 & 31u);
-                                        phi_293_ = ((select(_e157, _e156, _e160) >> bitcast<u32>(_e163)) << bitcast<u32>(_e163));
+                                    let _e128 = phi_250_;
+                                    let _e140 = bitcast<u32>((_e94.member_1[0] - _e94.member[0]));
+                                    let _e146 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e140)), 32u, (_e140 == 0u)));
+                                    let _e149 = (select(21u, _e146, (_e146 > 21u)) - 21u);
+                                    let _e154 = (_e121.member[0][0] - _e94.member[0]);
+                                    let _e155 = (_e121.member[0][1] - _e94.member[0]);
+                                    let _e156 = (_e94.member_1[0] - _e121.member[0][2]);
+                                    let _e157 = (_e94.member_1[0] - _e121.member[0][3]);
+                                    let _e158 = (_e154 > _e155);
+                                    if (_e158 == _e128) {
+                                        let _e161 = (_e149 & 31u);
+                                        phi_294_ = ((select(_e155, _e154, _e158) >> bitcast<u32>(_e161)) << bitcast<u32>(_e161));
                                     } else {
-                                        phi_293_ = 0i;
+                                        phi_294_ = 0i;
                                     }
-                                    let _e169 = phi_293_;
-                                    let _e171 = (_e158 > _e159);
-                                    if (_e171 == _e130) {
-                                        let _e174 = (_e151 & 31u);
-                                        phi_308_ = ((select(_e159, _e158, _e171) >> bitcast<u32>(_e174)) << bitcast<u32>(_e174));
+                                    let _e167 = phi_294_;
+                                    let _e169 = (_e156 > _e157);
+                                    if (_e169 == _e128) {
+                                        let _e172 = (_e149 & 31u);
+                                        phi_309_ = ((select(_e157, _e156, _e169) >> bitcast<u32>(_e172)) << bitcast<u32>(_e172));
                                     } else {
-                                        phi_308_ = 0i;
+                                        phi_309_ = 0i;
                                     }
-                                    let _e180 = phi_308_;
-                                    let _e185 = bitcast<u32>((_e96.member_1[1] - _e96.member[1]));
-                                    let _e191 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e185)), 32u, (_e185 == 0u)));
-                                    let _e194 = (select(21u, _e191, (_e191 > 21u)) - 21u);
-                                    let _e199 = (_e123.member[1][0] - _e96.member[1]);
-                                    let _e200 = (_e123.member[1][1] - _e96.member[1]);
-                                    let _e201 = (_e96.member_1[1] - _e123.member[1][2]);
-                                    let _e202 = (_e96.member_1[1] - _e123.member[1][3]);
-                                    let _e203 = (_e199 > _e200);
-                                    if (_e203 == _e130) {
-                                        let _e206 = (_e194 & 31u);
-                                        phi_345_ = ((select(_e200, _e199, _e203) >> bitcast<u32>(_e206)) << bitcast<u32>(_e206));
+                                    let _e178 = phi_309_;
+                                    let _e183 = bitcast<u32>((_e94.member_1[1] - _e94.member[1]));
+                                    let _e189 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e183)), 32u, (_e183 == 0u)));
+                                    let _e192 = (select(21u, _e189, (_e189 > 21u)) - 21u);
+                                    let _e197 = (_e121.member[1][0] - _e94.member[1]);
+                                    let _e198 = (_e121.member[1][1] - _e94.member[1]);
+                                    let _e199 = (_e94.member_1[1] - _e121.member[1][2]);
+                                    let _e200 = (_e94.member_1[1] - _e121.member[1][3]);
+                                    let _e201 = (_e197 > _e198);
+                                    if (_e201 == _e128) {
+                                        let _e204 = (_e192 & 31u);
+                                        phi_346_ = ((select(_e198, _e197, _e201) >> bitcast<u32>(_e204)) << bitcast<u32>(_e204));
                                     } else {
-                                        phi_345_ = 0i;
+                                        phi_346_ = 0i;
                                     }
-                                    let _e212 = phi_345_;
-                                    let _e214 = (_e201 > _e202);
-                                    if (_e214 == _e130) {
-                                        let _e217 = (_e194 & 31u);
-                                        phi_360_ = ((select(_e202, _e201, _e214) >> bitcast<u32>(_e217)) << bitcast<u32>(_e217));
+                                    let _e210 = phi_346_;
+                                    let _e212 = (_e199 > _e200);
+                                    if (_e212 == _e128) {
+                                        let _e215 = (_e192 & 31u);
+                                        phi_361_ = ((select(_e200, _e199, _e212) >> bitcast<u32>(_e215)) << bitcast<u32>(_e215));
                                     } else {
-                                        phi_360_ = 0i;
+                                        phi_361_ = 0i;
                                     }
-                                    let _e223 = phi_360_;
-                                    let _e228 = bitcast<u32>((_e96.member_1[2] - _e96.member[2]));
-                                    let _e234 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u)));
-                                    let _e237 = (select(21u, _e234, (_e234 > 21u)) - 21u);
-                                    let _e242 = (_e123.member[2][0] - _e96.member[2]);
-                                    let _e243 = (_e123.member[2][1] - _e96.member[2]);
-                                    let _e244 = (_e96.member_1[2] - _e123.member[2][2]);
-                                    let _e245 = (_e96.member_1[2] - _e123.member[2][3]);
-                                    let _e246 = (_e242 > _e243);
-                                    if (_e246 == _e130) {
-                                        let _e249 = (_e237 & 31u);
-                                        phi_397_ = ((select(_e243, _e242, _e246) >> bitcast<u32>(_e249)) << bitcast<u32>(_e249));
+                                    let _e221 = phi_361_;
+                                    let _e226 = bitcast<u32>((_e94.member_1[2] - _e94.member[2]));
+                                    let _e232 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u)));
+                                    let _e235 = (select(21u, _e232, (_e232 > 21u)) - 21u);
+                                    let _e240 = (_e121.member[2][0] - _e94.member[2]);
+                                    let _e241 = (_e121.member[2][1] - _e94.member[2]);
+                                    let _e242 = (_e94.member_1[2] - _e121.member[2][2]);
+                                    let _e243 = (_e94.member_1[2] - _e121.member[2][3]);
+                                    let _e244 = (_e240 > _e241);
+                                    if (_e244 == _e128) {
+                                        let _e247 = (_e235 & 31u);
+                                        phi_398_ = ((select(_e241, _e240, _e244) >> bitcast<u32>(_e247)) << bitcast<u32>(_e247));
                                     } else {
-                                        phi_397_ = 0i;
+                                        phi_398_ = 0i;
                                     }
-                                    let _e255 = phi_397_;
-                                    let _e257 = (_e244 > _e245);
-                                    if (_e257 == _e130) {
-                                        let _e260 = (_e237 & 31u);
-                                        phi_412_ = ((select(_e245, _e244, _e257) >> bitcast<u32>(_e260)) << bitcast<u32>(_e260));
+                                    let _e253 = phi_398_;
+                                    let _e255 = (_e242 > _e243);
+                                    if (_e255 == _e128) {
+                                        let _e258 = (_e235 & 31u);
+                                        phi_413_ = ((select(_e243, _e242, _e255) >> bitcast<u32>(_e258)) << bitcast<u32>(_e258));
                                     } else {
-                                        phi_412_ = 0i;
+                                        phi_413_ = 0i;
                                     }
-                                    let _e266 = phi_412_;
-                                    phi_421_ = type_24(array<i32, 3>((_e96.member[0] + _e169), (_e96.member[1] + _e212), (_e96.member[2] + _e255)), array<i32, 3>((_e96.member_1[0] - _e180), (_e96.member_1[1] - _e223), (_e96.member_1[2] - _e266)));
-                                    phi_422_ = select(_e123.member_2, _e123.member_1, _e130);
+                                    let _e264 = phi_413_;
+                                    phi_422_ = type_24(array<i32, 3>((_e94.member[0] + _e167), (_e94.member[1] + _e210), (_e94.member[2] + _e253)), array<i32, 3>((_e94.member_1[0] - _e178), (_e94.member_1[1] - _e221), (_e94.member_1[2] - _e264)));
+                                    phi_423_ = select(_e121.member_2, _e121.member_1, _e128);
                                 }
-                                let _e273 = phi_421_;
-                                let _e275 = phi_422_;
-                                phi_194_ = _e273;
-                                phi_196_ = _e275;
-                                phi_424_ = select(true, false, _e117);
+                                let _e271 = phi_422_;
+                                let _e273 = phi_423_;
+                                phi_195_ = _e271;
+                                phi_197_ = _e273;
+                                phi_425_ = select(true, false, _e115);
                             } else {
-                                phi_194_ = type_24();
-                                phi_196_ = u32();
-                                phi_424_ = false;
+                                phi_195_ = type_24();
+                                phi_197_ = u32();
+                                phi_425_ = false;
                             }
-                            let _e278 = phi_194_;
-                            let _e280 = phi_196_;
-                            let _e282 = phi_424_;
+                            let _e276 = phi_195_;
+                            let _e278 = phi_197_;
+                            let _e280 = phi_425_;
                             continue;
                             continuing {
-                                phi_190_ = _e111;
-                                phi_193_ = _e278;
-                                phi_195_ = _e280;
-                                phi_1424_ = false;
-                                break if !(_e282);
+                                phi_191_ = _e109;
+                                phi_194_ = _e276;
+                                phi_196_ = _e278;
+                                phi_1425_ = false;
+                                break if !(_e280);
                             }
                         }
-                        let _e285 = phi_1424_;
-                        if _e285 {
+                        let _e283 = phi_1425_;
+                        if _e283 {
                             break;
                         }
                         if _e52 {
                         } else {
                             break;
                         }
-                        let _e287 = local;
-                        let _e290 = local_1;
-                        let _e302 = global_2.member[_e47].member[0u];
-                        let _e304 = bitcast<u32>((_e290.member_1[0] - _e287.member[0]));
-                        let _e310 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e304)), 32u, (_e304 == 0u)));
-                        let _e318 = (_e302[0] - _e287.member[0]);
-                        let _e319 = (_e302[1] - _e287.member[0]);
-                        let _e320 = (_e290.member_1[0] - _e302[2]);
-                        let _e321 = (_e290.member_1[0] - _e302[3]);
-                        let _e322 = (_e318 > _e319);
-                        let _e325 = ((select(21u, _e310, (_e310 > 21u)) - 21u) & 31u);
-                        let _e333 = (_e320 > _e321);
-                        let _e347 = global_2.member[_e47].member[1u];
-                        let _e349 = bitcast<u32>((_e290.member_1[1] - _e287.member[1]));
-                        let _e355 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e349)), 32u, (_e349 == 0u)));
-                        let _e363 = (_e347[0] - _e287.member[1]);
-                        let _e364 = (_e347[1] - _e287.member[1]);
-                        let _e365 = (_e290.member_1[1] - _e347[2]);
-                        let _e366 = (_e290.member_1[1] - _e347[3]);
-                        let _e367 = (_e363 > _e364);
-                        let _e370 = ((select(21u, _e355, (_e355 > 21u)) - 21u) & 31u);
-                        let _e378 = (_e365 > _e366);
-                        let _e392 = global_2.member[_e47].member[2u];
-                        let _e394 = bitcast<u32>((_e290.member_1[2] - _e287.member[2]));
-                        let _e400 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e394)), 32u, (_e394 == 0u)));
-                        let _e408 = (_e392[0] - _e287.member[2]);
-                        let _e409 = (_e392[1] - _e287.member[2]);
-                        let _e410 = (_e290.member_1[2] - _e392[2]);
-                        let _e411 = (_e290.member_1[2] - _e392[3]);
-                        let _e412 = (_e408 > _e409);
-                        let _e415 = ((select(21u, _e400, (_e400 > 21u)) - 21u) & 31u);
-                        let _e423 = (_e410 > _e411);
+                        let _e285 = local;
+                        let _e288 = local_1;
+                        let _e300 = global_2.member[_e47].member[0u];
+                        let _e302 = bitcast<u32>((_e288.member_1[0] - _e285.member[0]));
+                        let _e308 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e302)), 32u, (_e302 == 0u)));
+                        let _e316 = (_e300[0] - _e285.member[0]);
+                        let _e317 = (_e300[1] - _e285.member[0]);
+                        let _e318 = (_e288.member_1[0] - _e300[2]);
+                        let _e319 = (_e288.member_1[0] - _e300[3]);
+                        let _e320 = (_e316 > _e317);
+                        let _e323 = ((select(21u, _e308, (_e308 > 21u)) - 21u) & 31u);
+                        let _e331 = (_e318 > _e319);
+                        let _e345 = global_2.member[_e47].member[1u];
+                        let _e347 = bitcast<u32>((_e288.member_1[1] - _e285.member[1]));
+                        let _e353 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e347)), 32u, (_e347 == 0u)));
+                        let _e361 = (_e345[0] - _e285.member[1]);
+                        let _e362 = (_e345[1] - _e285.member[1]);
+                        let _e363 = (_e288.member_1[1] - _e345[2]);
+                        let _e364 = (_e288.member_1[1] - _e345[3]);
+                        let _e365 = (_e361 > _e362);
+                        let _e368 = ((select(21u, _e353, (_e353 > 21u)) - 21u) & 31u);
+                        let _e376 = (_e363 > _e364);
+                        let _e390 = global_2.member[_e47].member[2u];
+                        let _e392 = bitcast<u32>((_e288.member_1[2] - _e285.member[2]));
+                        let _e398 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e392)), 32u, (_e392 == 0u)));
+                        let _e406 = (_e390[0] - _e285.member[2]);
+                        let _e407 = (_e390[1] - _e285.member[2]);
+                        let _e408 = (_e288.member_1[2] - _e390[2]);
+                        let _e409 = (_e288.member_1[2] - _e390[3]);
+                        let _e410 = (_e406 > _e407);
+                        let _e413 = ((select(21u, _e398, (_e398 > 21u)) - 21u) & 31u);
+                        let _e421 = (_e408 > _e409);
                         if _e52 {
                         } else {
                             break;
                         }
-                        let _e436 = global_2.member[_e47].member_1;
+                        let _e434 = global_2.member[_e47].member_1;
                         if _e52 {
                         } else {
                             break;
                         }
-                        let _e440 = global_2.member[_e47].member_2;
-                        let _e442 = ((_e436 & 2147483648u) != 0u);
-                        if _e442 {
-                            let _e446 = (((_e436 >> bitcast<u32>(28u)) & 7u) > 0u);
-                            if _e446 {
-                                phi_854_ = (_e436 & 268435455u);
+                        let _e438 = global_2.member[_e47].member_2;
+                        let _e440 = ((_e434 & 2147483648u) != 0u);
+                        if _e440 {
+                            let _e444 = (((_e434 >> bitcast<u32>(28u)) & 7u) > 0u);
+                            if _e444 {
+                                phi_855_ = (_e434 & 268435455u);
                             } else {
-                                phi_854_ = u32();
+                                phi_855_ = u32();
                             }
-                            let _e449 = phi_854_;
-                            phi_856_ = _e449;
-                            phi_857_ = select(true, false, _e446);
+                            let _e447 = phi_855_;
+                            phi_857_ = _e447;
+                            phi_858_ = select(true, false, _e444);
                         } else {
-                            phi_856_ = u32();
-                            phi_857_ = true;
+                            phi_857_ = u32();
+                            phi_858_ = true;
                         }
-                        let _e452 = phi_856_;
-                        let _e454 = phi_857_;
-                        if _e454 {
-                            if ((_e440 & 2147483648u) != 0u) {
-                                let _e460 = (((_e440 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                if _e460 {
-                                    phi_873_ = (_e440 & 268435455u);
+                        let _e450 = phi_857_;
+                        let _e452 = phi_858_;
+                        if _e452 {
+                            if ((_e438 & 2147483648u) != 0u) {
+                                let _e458 = (((_e438 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                if _e458 {
+                                    phi_874_ = (_e438 & 268435455u);
                                 } else {
-                                    phi_873_ = u32();
+                                    phi_874_ = u32();
                                 }
-                                let _e463 = phi_873_;
-                                phi_875_ = _e463;
-                                phi_876_ = select(true, false, _e460);
+                                let _e461 = phi_874_;
+                                phi_876_ = _e461;
+                                phi_877_ = select(true, false, _e458);
                             } else {
-                                phi_875_ = u32();
-                                phi_876_ = true;
+                                phi_876_ = u32();
+                                phi_877_ = true;
                             }
-                            let _e466 = phi_875_;
-                            let _e468 = phi_876_;
-                            phi_881_ = select(_e466, 0u, _e468);
+                            let _e464 = phi_876_;
+                            let _e466 = phi_877_;
+                            phi_882_ = select(_e464, 0u, _e466);
                         } else {
-                            phi_881_ = _e452;
+                            phi_882_ = _e450;
                         }
-                        let _e471 = phi_881_;
+                        let _e469 = phi_882_;
                         if _e52 {
                         } else {
                             break;
@@ -339,32 +339,32 @@ fn function_() {
                         } else {
                             break;
                         }
-                        if _e442 {
-                            phi_909_ = select(_e440, 0u, ((_e440 & 2147483648u) != 0u));
+                        if _e440 {
+                            phi_910_ = select(_e438, 0u, ((_e438 & 2147483648u) != 0u));
                         } else {
-                            phi_909_ = _e436;
+                            phi_910_ = _e434;
                         }
-                        let _e476 = phi_909_;
-                        if _e442 {
-                            let _e479 = ((_e436 >> bitcast<u32>(28u)) & 7u);
-                            phi_924_ = select(_e479, 7u, (_e479 == 0u));
+                        let _e474 = phi_910_;
+                        if _e440 {
+                            let _e477 = ((_e434 >> bitcast<u32>(28u)) & 7u);
+                            phi_925_ = select(_e477, 7u, (_e477 == 0u));
                         } else {
-                            phi_924_ = 0u;
+                            phi_925_ = 0u;
                         }
-                        let _e483 = phi_924_;
-                        if ((_e440 & 2147483648u) != 0u) {
-                            let _e488 = ((_e440 >> bitcast<u32>(28u)) & 7u);
-                            phi_939_ = select(_e488, 7u, (_e488 == 0u));
+                        let _e481 = phi_925_;
+                        if ((_e438 & 2147483648u) != 0u) {
+                            let _e486 = ((_e438 >> bitcast<u32>(28u)) & 7u);
+                            phi_940_ = select(_e486, 7u, (_e486 == 0u));
                         } else {
-                            phi_939_ = 0u;
+                            phi_940_ = 0u;
                         }
-                        let _e492 = phi_939_;
-                        let _e505 = ((_e471 & 268435455u) | ((_e492 >> bitcast<u32>(1i)) << bitcast<u32>(28u)));
+                        let _e490 = phi_940_;
+                        let _e503 = ((_e469 & 268435455u) | ((_e490 >> bitcast<u32>(1i)) << bitcast<u32>(28u)));
                         if _e53 {
                         } else {
                             break;
                         }
-                        global_4.member[_e47] = array<u32, 7>((((_e476 & 268435455u) | (_e483 << bitcast<u32>(28u))) | (_e492 << bitcast<u32>(31i))), (((bitcast<u32>(select(_e319, _e318, _e322)) >> bitcast<u32>(_e325)) & 2097151u) | (select(0u, 1u, _e322) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e321, _e320, _e333)) >> bitcast<u32>(_e325)) & 2097151u) | (select(0u, 1u, _e333) << bitcast<u32>(21u))) | (_e505 << bitcast<u32>(22i))), (((bitcast<u32>(select(_e364, _e363, _e367)) >> bitcast<u32>(_e370)) & 2097151u) | (select(0u, 1u, _e367) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e366, _e365, _e378)) >> bitcast<u32>(_e370)) & 2097151u) | (select(0u, 1u, _e378) << bitcast<u32>(21u))) | ((_e505 >> bitcast<u32>(10u)) << bitcast<u32>(22i))), (((bitcast<u32>(select(_e409, _e408, _e412)) >> bitcast<u32>(_e415)) & 2097151u) | (select(0u, 1u, _e412) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e411, _e410, _e423)) >> bitcast<u32>(_e415)) & 2097151u) | (select(0u, 1u, _e423) << bitcast<u32>(21u))) | ((_e505 >> bitcast<u32>(20u)) << bitcast<u32>(22i))));
+                        global_4.member[_e47] = array<u32, 7>((((_e474 & 268435455u) | (_e481 << bitcast<u32>(28u))) | (_e490 << bitcast<u32>(31i))), (((bitcast<u32>(select(_e317, _e316, _e320)) >> bitcast<u32>(_e323)) & 2097151u) | (select(0u, 1u, _e320) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e319, _e318, _e331)) >> bitcast<u32>(_e323)) & 2097151u) | (select(0u, 1u, _e331) << bitcast<u32>(21u))) | (_e503 << bitcast<u32>(22i))), (((bitcast<u32>(select(_e362, _e361, _e365)) >> bitcast<u32>(_e368)) & 2097151u) | (select(0u, 1u, _e365) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e364, _e363, _e376)) >> bitcast<u32>(_e368)) & 2097151u) | (select(0u, 1u, _e376) << bitcast<u32>(21u))) | ((_e503 >> bitcast<u32>(10u)) << bitcast<u32>(22i))), (((bitcast<u32>(select(_e407, _e406, _e410)) >> bitcast<u32>(_e413)) & 2097151u) | (select(0u, 1u, _e410) << bitcast<u32>(21u))), ((((bitcast<u32>(select(_e409, _e408, _e421)) >> bitcast<u32>(_e413)) & 2097151u) | (select(0u, 1u, _e421) << bitcast<u32>(21u))) | ((_e503 >> bitcast<u32>(20u)) << bitcast<u32>(22i))));
                         if (_e47 == 0u) {
                             if (_e43 == 0u) {
                             } else {
@@ -372,7 +372,7 @@ fn function_() {
                                 } else {
                                     break;
                                 }
-                                global_3.member[0u] = type_19(array<u32, 4>(bitcast<u32>(_e287.member[0]), bitcast<u32>(_e287.member[1]), bitcast<u32>(_e287.member[2]), 4294967272u), array<u32, 4>(bitcast<u32>(_e290.member_1[0]), bitcast<u32>(_e290.member_1[1]), bitcast<u32>(_e290.member_1[2]), 0u));
+                                global_3.member[0u] = type_19(array<u32, 4>(bitcast<u32>(_e285.member[0]), bitcast<u32>(_e285.member[1]), bitcast<u32>(_e285.member[2]), 4294967272u), array<u32, 4>(bitcast<u32>(_e288.member_1[0]), bitcast<u32>(_e288.member_1[1]), bitcast<u32>(_e288.member_1[2]), 0u));
                             }
                         }
                     }

@@ -72,41 +72,41 @@ fn function_() {
     var phi_165_: i32;
     var phi_166_: i32;
     var phi_208_: type_18;
-    var phi_259_: type_8;
-    var phi_262_: type_29;
-    var phi_264_: u32;
     var phi_260_: type_8;
-    var phi_287_: type_8;
-    var phi_309_: type_18;
-    var phi_318_: bool;
-    var phi_362_: i32;
-    var phi_377_: i32;
-    var phi_414_: i32;
-    var phi_429_: i32;
-    var phi_466_: i32;
-    var phi_481_: i32;
-    var phi_490_: type_29;
-    var phi_491_: u32;
     var phi_263_: type_29;
     var phi_265_: u32;
-    var phi_493_: bool;
-    var phi_1463_: bool;
+    var phi_261_: type_8;
+    var phi_288_: type_8;
+    var phi_310_: type_18;
+    var phi_319_: bool;
+    var phi_363_: i32;
+    var phi_378_: i32;
+    var phi_415_: i32;
+    var phi_430_: i32;
+    var phi_467_: i32;
+    var phi_482_: i32;
+    var phi_491_: type_29;
+    var phi_492_: u32;
+    var phi_264_: type_29;
+    var phi_266_: u32;
+    var phi_494_: bool;
+    var phi_1464_: bool;
     var local: type_29;
     var local_1: type_29;
-    var phi_1155_: u32;
-    var phi_1161_: u32;
-    var phi_1172_: u32;
-    var phi_1175_: type_8;
+    var phi_1156_: u32;
+    var phi_1162_: u32;
+    var phi_1173_: u32;
     var phi_1176_: type_8;
-    var phi_1199_: type_8;
-    var phi_1496_: bool;
-    var phi_1306_: u32;
-    var phi_1312_: u32;
-    var phi_1323_: u32;
-    var phi_1326_: type_8;
+    var phi_1177_: type_8;
+    var phi_1200_: type_8;
+    var phi_1497_: bool;
+    var phi_1307_: u32;
+    var phi_1313_: u32;
+    var phi_1324_: u32;
     var phi_1327_: type_8;
-    var phi_1350_: type_8;
-    var phi_1551_: bool;
+    var phi_1328_: type_8;
+    var phi_1351_: type_8;
+    var phi_1552_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -151,376 +151,376 @@ fn function_() {
                             phi_208_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                         }
                         let _e92 = phi_208_;
-                        phi_259_ = type_8(0u, 128u);
-                        phi_262_ = type_29(array<i32, 3>(select(_e92.member[0][0], _e92.member[0][1], (_e92.member[0][1] < _e92.member[0][0])), select(_e92.member[1][0], _e92.member[1][1], (_e92.member[1][1] < _e92.member[1][0])), select(_e92.member[2][0], _e92.member[2][1], (_e92.member[2][1] < _e92.member[2][0]))), array<i32, 3>(select(_e92.member[0][3], _e92.member[0][2], (_e92.member[0][3] < _e92.member[0][2])), select(_e92.member[1][3], _e92.member[1][2], (_e92.member[1][3] < _e92.member[1][2])), select(_e92.member[2][3], _e92.member[2][2], (_e92.member[2][3] < _e92.member[2][2]))));
-                        phi_264_ = 0u;
+                        phi_260_ = type_8(0u, 128u);
+                        phi_263_ = type_29(array<i32, 3>(select(_e92.member[0][0], _e92.member[0][1], (_e92.member[0][1] < _e92.member[0][0])), select(_e92.member[1][0], _e92.member[1][1], (_e92.member[1][1] < _e92.member[1][0])), select(_e92.member[2][0], _e92.member[2][1], (_e92.member[2][1] < _e92.member[2][0]))), array<i32, 3>(select(_e92.member[0][3], _e92.member[0][2], (_e92.member[0][3] < _e92.member[0][2])), select(_e92.member[1][3], _e92.member[1][2], (_e92.member[1][3] < _e92.member[1][2])), select(_e92.member[2][3], _e92.member[2][2], (_e92.member[2][3] < _e92.member[2][2]))));
+                        phi_265_ = 0u;
                         loop {
-                            let _e127 = phi_259_;
-                            let _e129 = phi_262_;
-                            let _e131 = phi_264_;
-                            local = _e129;
-                            local_1 = _e129;
-                            if (_e127.member < _e127.member_1) {
-                                phi_260_ = type_8((_e127.member + 1u), _e127.member_1);
-                                phi_287_ = type_8(1u, _e127.member);
+                            let _e125 = phi_260_;
+                            let _e127 = phi_263_;
+                            let _e129 = phi_265_;
+                            local = _e127;
+                            local_1 = _e127;
+                            if (_e125.member < _e125.member_1) {
+                                phi_261_ = type_8((_e125.member + 1u), _e125.member_1);
+                                phi_288_ = type_8(1u, _e125.member);
                             } else {
-                                phi_260_ = _e127;
-                                phi_287_ = type_8(0u, type_8().member_1);
+                                phi_261_ = _e125;
+                                phi_288_ = type_8(0u, type_8().member_1);
                             }
-                            let _e144 = phi_260_;
-                            let _e146 = phi_287_;
-                            if (bitcast<i32>(_e146.member) != 0i) {
-                                let _e150 = (_e131 == _e80);
-                                if _e150 {
-                                    phi_490_ = type_29();
-                                    phi_491_ = u32();
+                            let _e142 = phi_261_;
+                            let _e144 = phi_288_;
+                            if (bitcast<i32>(_e144.member) != 0i) {
+                                let _e148 = (_e129 == _e80);
+                                if _e148 {
+                                    phi_491_ = type_29();
+                                    phi_492_ = u32();
                                 } else {
-                                    let _e151 = (_e131 < _e41);
-                                    if _e151 {
-                                        if _e151 {
+                                    let _e149 = (_e129 < _e41);
+                                    if _e149 {
+                                        if _e149 {
                                         } else {
-                                            phi_1463_ = true;
+                                            phi_1464_ = true;
                                             break;
                                         }
-                                        let _e154 = global_4.member[_e131];
-                                        phi_309_ = _e154;
+                                        let _e152 = global_4.member[_e129];
+                                        phi_310_ = _e152;
                                     } else {
-                                        phi_309_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
+                                        phi_310_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                                     }
-                                    let _e156 = phi_309_;
-                                    if ((_e156.member_1 & 2147483648u) != 0u) {
-                                        phi_318_ = false;
+                                    let _e154 = phi_310_;
+                                    if ((_e154.member_1 & 2147483648u) != 0u) {
+                                        phi_319_ = false;
                                     } else {
-                                        phi_318_ = (_e80 <= _e156.member_1);
+                                        phi_319_ = (_e80 <= _e154.member_1);
                                     }
-                                    let _e163 = phi_318_;
-                                    let _e175 = bitcast<u32>((_e129.member_1[0] - _e129.member[0]));
-                                    let _e181 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e175)), 32u, (_e175 == 0u)));
-                                    let _e184 = (select(21u, _e181, (_e181 > 21u)) - 21u);
-                                    let _e189 = (_e156.member[0][0] - _e129.member[0]);
-                                    let _e190 = (_e156.member[0][1] - _e129.member[0]);
-                                    let _e191 = (_e129.member_1[0] - _e156.member[0][2]);
-                                    let _e192 = (_e129.member_1[0] - _e156.member[0][3]);
-                                    let _e193 = (_e189 > _e190);
-                                    if (_e193 == _e163) {
-                                        let _e196 = (_e184 & 31u);
-                                        phi_362_ = ((select(_e190, _e189, _e193) >> bitcast<u32>(_e196)) << bitcast<u32>(_e196));
+                                    let _e161 = phi_319_;
+                                    let _e173 = bitcast<u32>((_e127.member_1[0] - _e127.member[0]));
+                                    let _e179 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e173)), 32u, (_e173 == 0u)));
+                                    let _e182 = (select(21u, _e179, (_e179 > 21u)) - 21u);
+                                    let _e187 = (_e154.member[0][0] - _e127.member[0]);
+                                    let _e188 = (_e154.member[0][1] - _e127.member[0]);
+                                    let _e189 = (_e127.member_1[0] - _e154.member[0][2]);
+                                    let _e190 = (_e127.member_1[0] - _e154.member[0][3]);
+                                    let _e191 = (_e187 > _e188);
+                                    if (_e191 == _e161) {
+                                        let _e194 = (_e182 & 31u);
+                                        phi_363_ = ((select(_e188, _e187, _e191) >> bitcast<u32>(_e194)) << bitcast<u32>(_e194));
                                     } else {
-                                        phi_362_ = 0i;
+                                        phi_363_ = 0i;
                                     }
-                                    let _e202 = phi_362_;
-                                    let _e204 = (_e191 > _e192);
-                                    if (_e204 == _e163) {
-                                        let _e207 = (_e184 & 31u);
-                                        phi_377_ = ((select(_e192, _e191, _e204) >> bitcast<u32>(_e207)) << bitcast<u32>(_e207));
+                                    let _e200 = phi_363_;
+                                    let _e202 = (_e189 > _e190);
+                                    if (_e202 == _e161) {
+                                        let _e205 = (_e182 & 31u);
+                                        phi_378_ = ((select(_e190, _e189, _e202) >> bitcast<u32>(_e205)) << bitcast<u32>(_e205));
                                     } else {
-                                        phi_377_ = 0i;
+                                        phi_378_ = 0i;
                                     }
-                                    let _e213 = phi_377_;
-                                    let _e218 = bitcast<u32>((_e129.member_1[1] - _e129.member[1]));
-                                    let _e224 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u)));
-                                    let _e227 = (select(21u, _e224, (_e224 > 21u)) - 21u);
-                                    let _e232 = (_e156.member[1][0] - _e129.member[1]);
-                                    let _e233 = (_e156.member[1][1] - _e129.member[1]);
-                                    let _e234 = (_e129.member_1[1] - _e156.member[1][2]);
-                                    let _e235 = (_e129.member_1[1] - _e156.member[1][3]);
-                                    let _e236 = (_e232 > _e233);
-                                    if (_e236 == _e163) {
-                                        let _e239 = (_e227 & 31u);
-                                        phi_414_ = ((select(_e233, _e232, _e236) >> bitcast<u32>(_e239)) << bitcast<u32>(_e239));
+                                    let _e211 = phi_378_;
+                                    let _e216 = bitcast<u32>((_e127.member_1[1] - _e127.member[1]));
+                                    let _e222 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u)));
+                                    let _e225 = (select(21u, _e222, (_e222 > 21u)) - 21u);
+                                    let _e230 = (_e154.member[1][0] - _e127.member[1]);
+                                    let _e231 = (_e154.member[1][1] - _e127.member[1]);
+                                    let _e232 = (_e127.member_1[1] - _e154.member[1][2]);
+                                    let _e233 = (_e127.member_1[1] - _e154.member[1][3]);
+                                    let _e234 = (_e230 > _e231);
+                                    if (_e234 == _e161) {
+                                        let _e237 = (_e225 & 31u);
+                                        phi_415_ = ((select(_e231, _e230, _e234) >> bitcast<u32>(_e237)) << bitcast<u32>(_e237));
                                     } else {
-                                        phi_414_ = 0i;
+                                        phi_415_ = 0i;
                                     }
-                                    let _e245 = phi_414_;
-                                    let _e247 = (_e234 > _e235);
-                                    if (_e247 == _e163) {
-                                        let _e250 = (_e227 & 31u);
-                                        phi_429_ = ((select(_e235, _e234, _e247) >> bitcast<u32>(_e250)) << bitcast<u32>(_e250));
+                                    let _e243 = phi_415_;
+                                    let _e245 = (_e232 > _e233);
+                                    if (_e245 == _e161) {
+                                        let _e248 = (_e225 & 31u);
+                                        phi_430_ = ((select(_e233, _e232, _e245) >> bitcast<u32>(_e248)) << bitcast<u32>(_e248));
                                     } else {
-                                        phi_429_ = 0i;
+                                        phi_430_ = 0i;
                                     }
-                                    let _e256 = phi_429_;
-                                    let _e261 = bitcast<u32>((_e129.member_1[2] - _e129.member[2]));
-                                    let _e267 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e261)), 32u, (_e261 == 0u)));
-                                    let _e270 = (select(21u, _e267, (_e267 > 21u)) - 21u);
-                                    let _e275 = (_e156.member[2][0] - _e129.member[2]);
-                                    let _e276 = (_e156.member[2][1] - _e129.member[2]);
-                                    let _e277 = (_e129.member_1[2] - _e156.member[2][2]);
-                                    let _e278 = (_e129.member_1[2] - _e156.member[2][3]);
-                                    let _e279 = (_e275 > _e276);
-                                    if (_e279 == _e163) {
-                                        let _e282 = (_e270 & 31u);
-                                        phi_466_ = ((select(_e276, _e275, _e279) >> bitcast<u32>(_e282)) << bitcast<u32>(_e282));
+                                    let _e254 = phi_430_;
+                                    let _e259 = bitcast<u32>((_e127.member_1[2] - _e127.member[2]));
+                                    let _e265 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e259)), 32u, (_e259 == 0u)));
+                                    let _e268 = (select(21u, _e265, (_e265 > 21u)) - 21u);
+                                    let _e273 = (_e154.member[2][0] - _e127.member[2]);
+                                    let _e274 = (_e154.member[2][1] - _e127.member[2]);
+                                    let _e275 = (_e127.member_1[2] - _e154.member[2][2]);
+                                    let _e276 = (_e127.member_1[2] - _e154.member[2][3]);
+                                    let _e277 = (_e273 > _e274);
+                                    if (_e277 == _e161) {
+                                        let _e280 = (_e268 & 31u);
+                                        phi_467_ = ((select(_e274, _e273, _e277) >> bitcast<u32>(_e280)) << bitcast<u32>(_e280));
                                     } else {
-                                        phi_466_ = 0i;
+                                        phi_467_ = 0i;
                                     }
-                                    let _e288 = phi_466_;
-                                    let _e290 = (_e277 > _e278);
-                                    if (_e290 == _e163) {
-                                        let _e293 = (_e270 & 31u);
-                                        phi_481_ = ((select(_e278, _e277, _e290) >> bitcast<u32>(_e293)) << bitcast<u32>(_e293));
+                                    let _e286 = phi_467_;
+                                    let _e288 = (_e275 > _e276);
+                                    if (_e288 == _e161) {
+                                        let _e291 = (_e268 & 31u);
+                                        phi_482_ = ((select(_e276, _e275, _e288) >> bitcast<u32>(_e291)) << bitcast<u32>(_e291));
                                     } else {
-                                        phi_481_ = 0i;
+                                        phi_482_ = 0i;
                                     }
-                                    let _e299 = phi_481_;
-                                    phi_490_ = type_29(array<i32, 3>((_e129.member[0] + _e202), (_e129.member[1] + _e245), (_e129.member[2] + _e288)), array<i32, 3>((_e129.member_1[0] - _e213), (_e129.member_1[1] - _e256), (_e129.member_1[2] - _e299)));
-                                    phi_491_ = select(_e156.member_2, _e156.member_1, _e163);
+                                    let _e297 = phi_482_;
+                                    phi_491_ = type_29(array<i32, 3>((_e127.member[0] + _e200), (_e127.member[1] + _e243), (_e127.member[2] + _e286)), array<i32, 3>((_e127.member_1[0] - _e211), (_e127.member_1[1] - _e254), (_e127.member_1[2] - _e297)));
+                                    phi_492_ = select(_e154.member_2, _e154.member_1, _e161);
                                 }
-                                let _e306 = phi_490_;
-                                let _e308 = phi_491_;
-                                phi_263_ = _e306;
-                                phi_265_ = _e308;
-                                phi_493_ = select(true, false, _e150);
+                                let _e304 = phi_491_;
+                                let _e306 = phi_492_;
+                                phi_264_ = _e304;
+                                phi_266_ = _e306;
+                                phi_494_ = select(true, false, _e148);
                             } else {
-                                phi_263_ = type_29();
-                                phi_265_ = u32();
-                                phi_493_ = false;
+                                phi_264_ = type_29();
+                                phi_266_ = u32();
+                                phi_494_ = false;
                             }
-                            let _e311 = phi_263_;
-                            let _e313 = phi_265_;
-                            let _e315 = phi_493_;
+                            let _e309 = phi_264_;
+                            let _e311 = phi_266_;
+                            let _e313 = phi_494_;
                             continue;
                             continuing {
-                                phi_259_ = _e144;
-                                phi_262_ = _e311;
-                                phi_264_ = _e313;
-                                phi_1463_ = false;
-                                break if !(_e315);
+                                phi_260_ = _e142;
+                                phi_263_ = _e309;
+                                phi_265_ = _e311;
+                                phi_1464_ = false;
+                                break if !(_e313);
                             }
                         }
-                        let _e318 = phi_1463_;
-                        if _e318 {
+                        let _e316 = phi_1464_;
+                        if _e316 {
                             break;
                         }
                         if _e85 {
                         } else {
                             break;
                         }
-                        let _e320 = local;
-                        let _e323 = local_1;
-                        let _e335 = global_4.member[_e80].member[0u];
-                        let _e337 = bitcast<u32>((_e323.member_1[0] - _e320.member[0]));
-                        let _e343 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e337)), 32u, (_e337 == 0u)));
-                        let _e351 = (_e335[0] - _e320.member[0]);
-                        let _e352 = (_e335[1] - _e320.member[0]);
-                        let _e353 = (_e323.member_1[0] - _e335[2]);
-                        let _e354 = (_e323.member_1[0] - _e335[3]);
-                        let _e355 = (_e351 > _e352);
-                        let _e358 = ((select(21u, _e343, (_e343 > 21u)) - 21u) & 31u);
-                        let _e365 = (((bitcast<u32>(select(_e352, _e351, _e355)) >> bitcast<u32>(_e358)) & 2097151u) | (select(0u, 1u, _e355) << bitcast<u32>(21u)));
-                        let _e366 = (_e353 > _e354);
-                        let _e375 = (((bitcast<u32>(select(_e354, _e353, _e366)) >> bitcast<u32>(_e358)) & 2097151u) | (select(0u, 1u, _e366) << bitcast<u32>(21u)));
-                        let _e380 = global_4.member[_e80].member[1u];
-                        let _e382 = bitcast<u32>((_e323.member_1[1] - _e320.member[1]));
-                        let _e388 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e382)), 32u, (_e382 == 0u)));
-                        let _e396 = (_e380[0] - _e320.member[1]);
-                        let _e397 = (_e380[1] - _e320.member[1]);
-                        let _e398 = (_e323.member_1[1] - _e380[2]);
-                        let _e399 = (_e323.member_1[1] - _e380[3]);
-                        let _e400 = (_e396 > _e397);
-                        let _e403 = ((select(21u, _e388, (_e388 > 21u)) - 21u) & 31u);
-                        let _e410 = (((bitcast<u32>(select(_e397, _e396, _e400)) >> bitcast<u32>(_e403)) & 2097151u) | (select(0u, 1u, _e400) << bitcast<u32>(21u)));
-                        let _e411 = (_e398 > _e399);
-                        let _e420 = (((bitcast<u32>(select(_e399, _e398, _e411)) >> bitcast<u32>(_e403)) & 2097151u) | (select(0u, 1u, _e411) << bitcast<u32>(21u)));
-                        let _e425 = global_4.member[_e80].member[2u];
-                        let _e427 = bitcast<u32>((_e323.member_1[2] - _e320.member[2]));
-                        let _e433 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u)));
-                        let _e441 = (_e425[0] - _e320.member[2]);
-                        let _e442 = (_e425[1] - _e320.member[2]);
-                        let _e443 = (_e323.member_1[2] - _e425[2]);
-                        let _e444 = (_e323.member_1[2] - _e425[3]);
-                        let _e445 = (_e441 > _e442);
-                        let _e448 = ((select(21u, _e433, (_e433 > 21u)) - 21u) & 31u);
-                        let _e455 = (((bitcast<u32>(select(_e442, _e441, _e445)) >> bitcast<u32>(_e448)) & 2097151u) | (select(0u, 1u, _e445) << bitcast<u32>(21u)));
-                        let _e456 = (_e443 > _e444);
-                        let _e465 = (((bitcast<u32>(select(_e444, _e443, _e456)) >> bitcast<u32>(_e448)) & 2097151u) | (select(0u, 1u, _e456) << bitcast<u32>(21u)));
-                        let _e470 = (_e320.member[0] + bitcast<i32>(((_e365 & 2097151u) << bitcast<u32>(_e358))));
-                        let _e475 = (_e323.member_1[0] - bitcast<i32>(((_e375 & 2097151u) << bitcast<u32>(_e358))));
-                        let _e479 = (((_e365 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e483 = (((_e375 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e484 = select(_e320.member[0], _e470, _e479);
-                        let _e485 = select(_e470, _e320.member[0], _e479);
-                        let _e492 = (_e320.member[1] + bitcast<i32>(((_e410 & 2097151u) << bitcast<u32>(_e403))));
-                        let _e497 = (_e323.member_1[1] - bitcast<i32>(((_e420 & 2097151u) << bitcast<u32>(_e403))));
-                        let _e501 = (((_e410 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e505 = (((_e420 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e506 = select(_e320.member[1], _e492, _e501);
-                        let _e507 = select(_e492, _e320.member[1], _e501);
-                        let _e514 = (_e320.member[2] + bitcast<i32>(((_e455 & 2097151u) << bitcast<u32>(_e448))));
-                        let _e519 = (_e323.member_1[2] - bitcast<i32>(((_e465 & 2097151u) << bitcast<u32>(_e448))));
-                        let _e523 = (((_e455 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e527 = (((_e465 >> bitcast<u32>(21u)) & 1u) == 1u);
-                        let _e528 = select(_e320.member[2], _e514, _e523);
-                        let _e529 = select(_e514, _e320.member[2], _e523);
+                        let _e318 = local;
+                        let _e321 = local_1;
+                        let _e333 = global_4.member[_e80].member[0u];
+                        let _e335 = bitcast<u32>((_e321.member_1[0] - _e318.member[0]));
+                        let _e341 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e335)), 32u, (_e335 == 0u)));
+                        let _e349 = (_e333[0] - _e318.member[0]);
+                        let _e350 = (_e333[1] - _e318.member[0]);
+                        let _e351 = (_e321.member_1[0] - _e333[2]);
+                        let _e352 = (_e321.member_1[0] - _e333[3]);
+                        let _e353 = (_e349 > _e350);
+                        let _e356 = ((select(21u, _e341, (_e341 > 21u)) - 21u) & 31u);
+                        let _e363 = (((bitcast<u32>(select(_e350, _e349, _e353)) >> bitcast<u32>(_e356)) & 2097151u) | (select(0u, 1u, _e353) << bitcast<u32>(21u)));
+                        let _e364 = (_e351 > _e352);
+                        let _e373 = (((bitcast<u32>(select(_e352, _e351, _e364)) >> bitcast<u32>(_e356)) & 2097151u) | (select(0u, 1u, _e364) << bitcast<u32>(21u)));
+                        let _e378 = global_4.member[_e80].member[1u];
+                        let _e380 = bitcast<u32>((_e321.member_1[1] - _e318.member[1]));
+                        let _e386 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e380)), 32u, (_e380 == 0u)));
+                        let _e394 = (_e378[0] - _e318.member[1]);
+                        let _e395 = (_e378[1] - _e318.member[1]);
+                        let _e396 = (_e321.member_1[1] - _e378[2]);
+                        let _e397 = (_e321.member_1[1] - _e378[3]);
+                        let _e398 = (_e394 > _e395);
+                        let _e401 = ((select(21u, _e386, (_e386 > 21u)) - 21u) & 31u);
+                        let _e408 = (((bitcast<u32>(select(_e395, _e394, _e398)) >> bitcast<u32>(_e401)) & 2097151u) | (select(0u, 1u, _e398) << bitcast<u32>(21u)));
+                        let _e409 = (_e396 > _e397);
+                        let _e418 = (((bitcast<u32>(select(_e397, _e396, _e409)) >> bitcast<u32>(_e401)) & 2097151u) | (select(0u, 1u, _e409) << bitcast<u32>(21u)));
+                        let _e423 = global_4.member[_e80].member[2u];
+                        let _e425 = bitcast<u32>((_e321.member_1[2] - _e318.member[2]));
+                        let _e431 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e425)), 32u, (_e425 == 0u)));
+                        let _e439 = (_e423[0] - _e318.member[2]);
+                        let _e440 = (_e423[1] - _e318.member[2]);
+                        let _e441 = (_e321.member_1[2] - _e423[2]);
+                        let _e442 = (_e321.member_1[2] - _e423[3]);
+                        let _e443 = (_e439 > _e440);
+                        let _e446 = ((select(21u, _e431, (_e431 > 21u)) - 21u) & 31u);
+                        let _e453 = (((bitcast<u32>(select(_e440, _e439, _e443)) >> bitcast<u32>(_e446)) & 2097151u) | (select(0u, 1u, _e443) << bitcast<u32>(21u)));
+                        let _e454 = (_e441 > _e442);
+                        let _e463 = (((bitcast<u32>(select(_e442, _e441, _e454)) >> bitcast<u32>(_e446)) & 2097151u) | (select(0u, 1u, _e454) << bitcast<u32>(21u)));
+                        let _e468 = (_e318.member[0] + bitcast<i32>(((_e363 & 2097151u) << bitcast<u32>(_e356))));
+                        let _e473 = (_e321.member_1[0] - bitcast<i32>(((_e373 & 2097151u) << bitcast<u32>(_e356))));
+                        let _e477 = (((_e363 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e481 = (((_e373 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e482 = select(_e318.member[0], _e468, _e477);
+                        let _e483 = select(_e468, _e318.member[0], _e477);
+                        let _e490 = (_e318.member[1] + bitcast<i32>(((_e408 & 2097151u) << bitcast<u32>(_e401))));
+                        let _e495 = (_e321.member_1[1] - bitcast<i32>(((_e418 & 2097151u) << bitcast<u32>(_e401))));
+                        let _e499 = (((_e408 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e503 = (((_e418 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e504 = select(_e318.member[1], _e490, _e499);
+                        let _e505 = select(_e490, _e318.member[1], _e499);
+                        let _e512 = (_e318.member[2] + bitcast<i32>(((_e453 & 2097151u) << bitcast<u32>(_e446))));
+                        let _e517 = (_e321.member_1[2] - bitcast<i32>(((_e463 & 2097151u) << bitcast<u32>(_e446))));
+                        let _e521 = (((_e453 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e525 = (((_e463 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e526 = select(_e318.member[2], _e512, _e521);
+                        let _e527 = select(_e512, _e318.member[2], _e521);
                         if _e86 {
                         } else {
                             break;
                         }
-                        global_8.member[_e80] = array<u32, 7>(0u, _e365, _e375, _e410, _e420, _e455, _e465);
+                        global_8.member[_e80] = array<u32, 7>(0u, _e363, _e373, _e408, _e418, _e453, _e463);
                         if _e85 {
                         } else {
                             break;
                         }
-                        let _e538 = global_4.member[_e80].member_1;
-                        let _e547 = ((bitcast<u32>((select(_e323.member_1[0], _e475, _e483) - _e484)) | bitcast<u32>((select(_e323.member_1[1], _e497, _e505) - _e506))) | bitcast<u32>((select(_e323.member_1[2], _e519, _e527) - _e528)));
-                        if (_e547 < 1024u) {
-                            phi_1155_ = 0u;
+                        let _e536 = global_4.member[_e80].member_1;
+                        let _e545 = ((bitcast<u32>((select(_e321.member_1[0], _e473, _e481) - _e482)) | bitcast<u32>((select(_e321.member_1[1], _e495, _e503) - _e504))) | bitcast<u32>((select(_e321.member_1[2], _e517, _e525) - _e526)));
+                        if (_e545 < 1024u) {
+                            phi_1156_ = 0u;
                         } else {
-                            phi_1155_ = select(2u, 1u, (_e547 < 2097152u));
+                            phi_1156_ = select(2u, 1u, (_e545 < 2097152u));
                         }
-                        let _e552 = phi_1155_;
-                        switch bitcast<i32>(_e552) {
+                        let _e550 = phi_1156_;
+                        switch bitcast<i32>(_e550) {
                             case 0: {
-                                phi_1161_ = 1u;
+                                phi_1162_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_1161_ = 2u;
+                                phi_1162_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_1161_ = 3u;
+                                phi_1162_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_1161_ = u32();
+                                phi_1162_ = u32();
                                 break;
                             }
                         }
-                        let _e555 = phi_1161_;
-                        let _e557 = ((3u * _e555) + 1u);
-                        if ((_e538 & 2147483648u) != 0u) {
-                            phi_1172_ = ((_e538 >> bitcast<u32>(28u)) & 7u);
+                        let _e553 = phi_1162_;
+                        let _e555 = ((3u * _e553) + 1u);
+                        if ((_e536 & 2147483648u) != 0u) {
+                            phi_1173_ = ((_e536 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_1172_ = 0u;
+                            phi_1173_ = 0u;
                         }
-                        let _e565 = phi_1172_;
-                        phi_1175_ = type_8(0u, _e565);
+                        let _e563 = phi_1173_;
+                        phi_1176_ = type_8(0u, _e563);
                         loop {
-                            let _e568 = phi_1175_;
-                            if (_e568.member < _e568.member_1) {
-                                phi_1176_ = type_8((_e568.member + 1u), _e568.member_1);
-                                phi_1199_ = type_8(1u, _e568.member);
+                            let _e566 = phi_1176_;
+                            if (_e566.member < _e566.member_1) {
+                                phi_1177_ = type_8((_e566.member + 1u), _e566.member_1);
+                                phi_1200_ = type_8(1u, _e566.member);
                             } else {
-                                phi_1176_ = _e568;
-                                phi_1199_ = type_8(0u, type_8().member_1);
+                                phi_1177_ = _e566;
+                                phi_1200_ = type_8(0u, type_8().member_1);
                             }
-                            let _e581 = phi_1176_;
-                            let _e583 = phi_1199_;
-                            let _e587 = (bitcast<i32>(_e583.member) != 0i);
-                            if _e587 {
-                                let _e589 = ((_e538 & 268435455u) + _e583.member_1);
-                                let _e590 = (_e589 < _e46);
-                                if _e590 {
-                                    let _e591 = (_e589 < _e49);
-                                    if _e591 {
-                                        if _e590 {
+                            let _e579 = phi_1177_;
+                            let _e581 = phi_1200_;
+                            let _e585 = (bitcast<i32>(_e581.member) != 0i);
+                            if _e585 {
+                                let _e587 = ((_e536 & 268435455u) + _e581.member_1);
+                                let _e588 = (_e587 < _e46);
+                                if _e588 {
+                                    let _e589 = (_e587 < _e49);
+                                    if _e589 {
+                                        if _e588 {
                                         } else {
-                                            phi_1496_ = true;
+                                            phi_1497_ = true;
                                             break;
                                         }
-                                        global_5.member[_e589] = type_37(array<i32, 3>(_e484, _e506, _e528), _e557);
-                                        if _e591 {
+                                        global_5.member[_e587] = type_37(array<i32, 3>(_e482, _e504, _e526), _e555);
+                                        if _e589 {
                                         } else {
-                                            phi_1496_ = true;
+                                            phi_1497_ = true;
                                             break;
                                         }
-                                        global_6.member[_e589] = _e557;
+                                        global_6.member[_e587] = _e555;
                                     }
                                 }
                             }
                             continue;
                             continuing {
-                                phi_1175_ = _e581;
-                                phi_1496_ = _e318;
-                                break if !(_e587);
+                                phi_1176_ = _e579;
+                                phi_1497_ = _e316;
+                                break if !(_e585);
                             }
                         }
-                        let _e596 = phi_1496_;
-                        if _e596 {
+                        let _e594 = phi_1497_;
+                        if _e594 {
                             break;
                         }
                         if _e85 {
                         } else {
                             break;
                         }
-                        let _e600 = global_4.member[_e80].member_2;
-                        let _e609 = ((bitcast<u32>((select(_e475, _e323.member_1[0], _e483) - _e485)) | bitcast<u32>((select(_e497, _e323.member_1[1], _e505) - _e507))) | bitcast<u32>((select(_e519, _e323.member_1[2], _e527) - _e529)));
-                        if (_e609 < 1024u) {
-                            phi_1306_ = 0u;
+                        let _e598 = global_4.member[_e80].member_2;
+                        let _e607 = ((bitcast<u32>((select(_e473, _e321.member_1[0], _e481) - _e483)) | bitcast<u32>((select(_e495, _e321.member_1[1], _e503) - _e505))) | bitcast<u32>((select(_e517, _e321.member_1[2], _e525) - _e527)));
+                        if (_e607 < 1024u) {
+                            phi_1307_ = 0u;
                         } else {
-                            phi_1306_ = select(2u, 1u, (_e609 < 2097152u));
+                            phi_1307_ = select(2u, 1u, (_e607 < 2097152u));
                         }
-                        let _e614 = phi_1306_;
-                        switch bitcast<i32>(_e614) {
+                        let _e612 = phi_1307_;
+                        switch bitcast<i32>(_e612) {
                             case 0: {
-                                phi_1312_ = 1u;
+                                phi_1313_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_1312_ = 2u;
+                                phi_1313_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_1312_ = 3u;
+                                phi_1313_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_1312_ = u32();
+                                phi_1313_ = u32();
                                 break;
                             }
                         }
-                        let _e617 = phi_1312_;
-                        let _e619 = ((3u * _e617) + 1u);
-                        if ((_e600 & 2147483648u) != 0u) {
-                            phi_1323_ = ((_e600 >> bitcast<u32>(28u)) & 7u);
+                        let _e615 = phi_1313_;
+                        let _e617 = ((3u * _e615) + 1u);
+                        if ((_e598 & 2147483648u) != 0u) {
+                            phi_1324_ = ((_e598 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_1323_ = 0u;
+                            phi_1324_ = 0u;
                         }
-                        let _e627 = phi_1323_;
-                        phi_1326_ = type_8(0u, _e627);
+                        let _e625 = phi_1324_;
+                        phi_1327_ = type_8(0u, _e625);
                         loop {
-                            let _e630 = phi_1326_;
-                            if (_e630.member < _e630.member_1) {
-                                phi_1327_ = type_8((_e630.member + 1u), _e630.member_1);
-                                phi_1350_ = type_8(1u, _e630.member);
+                            let _e628 = phi_1327_;
+                            if (_e628.member < _e628.member_1) {
+                                phi_1328_ = type_8((_e628.member + 1u), _e628.member_1);
+                                phi_1351_ = type_8(1u, _e628.member);
                             } else {
-                                phi_1327_ = _e630;
-                                phi_1350_ = type_8(0u, type_8().member_1);
+                                phi_1328_ = _e628;
+                                phi_1351_ = type_8(0u, type_8().member_1);
                             }
-                            let _e643 = phi_1327_;
-                            let _e645 = phi_1350_;
-                            let _e649 = (bitcast<i32>(_e645.member) != 0i);
-                            if _e649 {
-                                let _e651 = ((_e600 & 268435455u) + _e645.member_1);
-                                let _e652 = (_e651 < _e46);
-                                if _e652 {
-                                    let _e653 = (_e651 < _e49);
-                                    if _e653 {
-                                        if _e652 {
+                            let _e641 = phi_1328_;
+                            let _e643 = phi_1351_;
+                            let _e647 = (bitcast<i32>(_e643.member) != 0i);
+                            if _e647 {
+                                let _e649 = ((_e598 & 268435455u) + _e643.member_1);
+                                let _e650 = (_e649 < _e46);
+                                if _e650 {
+                                    let _e651 = (_e649 < _e49);
+                                    if _e651 {
+                                        if _e650 {
                                         } else {
-                                            phi_1551_ = true;
+                                            phi_1552_ = true;
                                             break;
                                         }
-                                        global_5.member[_e651] = type_37(array<i32, 3>(_e485, _e507, _e529), _e619);
-                                        if _e653 {
+                                        global_5.member[_e649] = type_37(array<i32, 3>(_e483, _e505, _e527), _e617);
+                                        if _e651 {
                                         } else {
-                                            phi_1551_ = true;
+                                            phi_1552_ = true;
                                             break;
                                         }
-                                        global_6.member[_e651] = _e619;
+                                        global_6.member[_e649] = _e617;
                                     }
                                 }
                             }
                             continue;
                             continuing {
-                                phi_1326_ = _e643;
-                                phi_1551_ = _e596;
-                                break if !(_e649);
+                                phi_1327_ = _e641;
+                                phi_1552_ = _e594;
+                                break if !(_e647);
                             }
                         }
-                        let _e658 = phi_1551_;
-                        if _e658 {
+                        let _e656 = phi_1552_;
+                        if _e656 {
                             break;
                         }
                         if (_e80 == 0u) {
@@ -530,7 +530,7 @@ fn function_() {
                                 } else {
                                     break;
                                 }
-                                global_7.member[0u] = type_23(array<u32, 4>(bitcast<u32>(_e320.member[0]), bitcast<u32>(_e320.member[1]), bitcast<u32>(_e320.member[2]), bitcast<u32>(_e76)), array<u32, 4>(bitcast<u32>(_e323.member_1[0]), bitcast<u32>(_e323.member_1[1]), bitcast<u32>(_e323.member_1[2]), 0u));
+                                global_7.member[0u] = type_23(array<u32, 4>(bitcast<u32>(_e318.member[0]), bitcast<u32>(_e318.member[1]), bitcast<u32>(_e318.member[2]), bitcast<u32>(_e76)), array<u32, 4>(bitcast<u32>(_e321.member_1[0]), bitcast<u32>(_e321.member_1[1]), bitcast<u32>(_e321.member_1[2]), 0u));
                             }
                         }
                     }

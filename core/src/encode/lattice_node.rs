@@ -187,7 +187,7 @@ pub(super) const fn sides_of<const BITS: u32, const WORDS: usize>(
 
 /// Both children's boxes, from their planes on each axis.
 #[inline(always)]
-const fn boxes([x, y, z]: [[i32; 4]; 3]) -> [LatticeBox; 2] {
+pub(super) const fn boxes([x, y, z]: [[i32; 4]; 3]) -> [LatticeBox; 2] {
     [
         LatticeBox {
             min: [x[0], y[0], z[0]],

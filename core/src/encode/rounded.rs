@@ -1,5 +1,6 @@
 //! A plain node on a lattice: what the lattice codec reads.
 
+use super::lattice_node::boxes;
 use crate::lattice::{LatticeBox, lattice_floors};
 use crate::node::{Node, NodeRef};
 use bytemuck::{Pod, Zeroable};
@@ -66,17 +67,7 @@ impl RoundedNode {
     #[inline(always)]
     #[must_use]
     pub const fn boxes(&self) -> [LatticeBox; 2] {
-        let [x, y, z] = self.planes;
-        [
-            LatticeBox {
-                min: [x[0], y[0], z[0]],
-                max: [x[2], y[2], z[2]],
-            },
-            LatticeBox {
-                min: [x[1], y[1], z[1]],
-                max: [x[3], y[3], z[3]],
-            },
-        ]
+        boxes(self.planes)
     }
 }
 

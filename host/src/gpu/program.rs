@@ -19,6 +19,12 @@ pub fn threads(item_count: u32) -> Groups {
     Groups::Direct(dispatch(item_count.div_ceil(LANES as u32)))
 }
 
+/// A number of items, and the workgroups that give each a thread, as kernels that know neither beforehand want them.
+pub fn counted(item_count: u32) -> [u32; 4] {
+    let [x, y, z] = dispatch(item_count.div_ceil(LANES as u32));
+    [item_count, x, y, z]
+}
+
 /// That many workgroups.
 pub fn groups(group_count: u32) -> Groups {
     Groups::Direct(dispatch(group_count))

@@ -20,9 +20,6 @@ impl Tree<'_> {
     /// A node with its boxes.
     pub(super) fn node(&self, index: u32) -> Node {
         let (bare, split) = (&self.nodes[index as usize], self.splits[index as usize]);
-        if self.leaves.is_empty() {
-            return bare.into();
-        }
         refit_node(bare.into(), split, self.leaves, self.pyramid)
     }
 }

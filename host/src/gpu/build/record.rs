@@ -4,7 +4,7 @@ use super::super::buffer::Range;
 use super::super::bvh::Built;
 use super::super::coding::Coding;
 use super::super::facing::{Components, FacingRanges};
-use super::super::program::{Groups, Recorder, Uniform, groups, threads};
+use super::super::program::{Groups, Recorder, Uniform, counted, groups, threads};
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
 use super::scratch::pyramid_bytes;
@@ -12,7 +12,7 @@ use crate::{CodeBits, MeshCodec};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
-use slimbvh_core::launch::{BLOCK, LANES, dispatch};
+use slimbvh_core::launch::BLOCK;
 use slimbvh_core::refit::{PyramidBox, group_count};
 
 impl Builder {
@@ -41,9 +41,7 @@ impl Builder {
     ) {
         recorder.stage("snap");
         self.copy_state(gpu, recorder, bvh);
-        let count = mesh.triangle_count;
-        let [x, y, z] = dispatch(count.div_ceil(LANES as u32));
-        recorder.write(&bvh.count, &[count, x, y, z]);
+        recorder.write(&bvh.count, &counted(mesh.triangle_count));
         let items = self.items(gpu, mesh);
         self.record_tree(gpu, recorder, mesh, bvh, &items);
     }

@@ -3,10 +3,10 @@
 use super::{Built, Bvh, Coded, Coding, NOTHING_BYTES, STATE_BYTES};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
+use crate::gpu::program::counted;
 use crate::gpu::{Gpu, GpuError};
 use bytemuck::{bytes_of, cast_slice};
 use slimbvh_core::encode::RootWords;
-use slimbvh_core::launch::{LANES, dispatch};
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 /// What to do about a hierarchy that is too large.
@@ -84,15 +84,18 @@ impl Bvh {
                 true => triangles.len() / 4,
                 false => 0,
             };
-            write(&coded.word_total, bytes_of(&total(words)));
+            write(&coded.word_total, bytes_of(&counted(words as u32)));
         }
         let bounds = bvh.bounds().unwrap_or(Aabb::EMPTY);
         let corners = [bounds.min, bounds.max].map(|corner| corner.to_array());
         write(&built.bounds, cast_slice(&corners));
         let exponent = [bvh.scene_exponent(), 0, 0, 0];
         write(&built.exponent, bytes_of(&exponent));
-        write(&built.total, bytes_of(&total(bvh.node_count())));
-        write(&built.count, bytes_of(&total(bvh.triangle_count())));
+        write(&built.total, bytes_of(&counted(bvh.node_count() as u32)));
+        write(
+            &built.count,
+            bytes_of(&counted(bvh.triangle_count() as u32)),
+        );
         self.built = Some(built);
     }
 }
@@ -105,11 +108,4 @@ fn coding_of(bvh: &crate::Bvh) -> Result<Option<Coding>, GpuError> {
         mesh,
         ..BuildConfig::default()
     })
-}
-
-/// A number, and the dispatch of a thread for each.
-fn total(count: usize) -> [u32; 4] {
-    let count = count as u32;
-    let [x, y, z] = dispatch(count.div_ceil(LANES as u32));
-    [count, x, y, z]
 }
