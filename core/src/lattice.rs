@@ -76,7 +76,10 @@ pub const fn lattice_ceil(x: f32, step_exponent: i32) -> i32 {
     whole + ((whole as f32) < steps) as i32
 }
 
-/// How many steps a coordinate has that lies on the lattice; as [`lattice_floor`].
+/// The whole steps from 0 to `x`, cut toward zero; of a coordinate on the lattice, all its steps.
+///
+/// Monotone. Two operations, and none is ever rounded but where the outcome is 0 with or without: what is no normal number is less
+/// than a step. `x` must be finite with `|x| < 2^(step_exponent + 30)`, and the exponent from −126 to 126.
 #[inline(always)]
 #[must_use]
 pub const fn lattice_steps(x: f32, step_exponent: i32) -> i32 {

@@ -1,11 +1,12 @@
 //! Stage `morton`: the place of a triangle's box centre on a space-filling curve.
 //!
-//! Codes are made by integer arithmetic alone, so that every device finds the same ones.
+//! Coordinates become integers by operations that are never rounded, and codes by integer arithmetic alone, so that every device
+//! finds the same ones.
 
 use crate::aabb::Aabb;
 use crate::bounds::axis_magnitude;
 use crate::float::{exponent, multiply_high};
-use crate::lattice::to_lattice;
+use crate::lattice::lattice_steps;
 use bytemuck::{Pod, Zeroable};
 
 /// How box centres map to cells: cubes, `2^bits` of them along the longest side of the scene's box. 40 bytes.
@@ -70,7 +71,8 @@ impl Frame {
     fn cell_on_axis(&self, axis: usize, low: f32, high: f32) -> u32 {
         let frame = self.axes[axis];
         // Twice the centre needs no division.
-        let centre = to_lattice(low, frame.step_exponent) + to_lattice(high, frame.step_exponent);
+        let steps = |x: f32| lattice_steps(x, frame.step_exponent);
+        let centre = steps(low) + steps(high);
         let distance = centre.wrapping_sub(frame.origin) as u32;
         let normalized = distance << (frame.shifts & 31);
         multiply_high(normalized, self.factor) >> ((frame.shifts >> 16) & 31)
@@ -94,10 +96,12 @@ impl AxisMeasure {
             1 => (bounds.min.y, bounds.max.y),
             _ => (bounds.min.z, bounds.max.z),
         };
-        // Coordinates have at most 24 bits in these steps, twice their range at most 26.
-        let step_exponent = exponent(axis_magnitude(bounds, axis)) + 1 - 24;
-        let origin = 2 * to_lattice(low, step_exponent);
-        let extent = (2 * to_lattice(high, step_exponent)).wrapping_sub(origin) as u32;
+        // Coordinates have at most 24 bits in these steps, twice their range at most 26. Scenes below 2^-103 have fewer: what a
+        // device may flush to zero is less than a step.
+        let finest = exponent(axis_magnitude(bounds, axis)) + 1 - 24;
+        let step_exponent = if finest < -126 { -126 } else { finest };
+        let origin = 2 * lattice_steps(low, step_exponent);
+        let extent = (2 * lattice_steps(high, step_exponent)).wrapping_sub(origin) as u32;
         let left_shift = if extent == 0 {
             0
         } else {
@@ -257,6 +261,20 @@ mod tests {
         let origin = point([0.0; 3]);
         assert_eq!(Frame::new(&origin, 10).cell(&origin), [0, 0, 0]);
         assert_eq!(Frame::new(&Aabb::EMPTY, 10), Frame::default());
+    }
+
+    #[test]
+    fn the_smallest_scenes_have_cells() {
+        let tiny = |x: f32| f32::MIN_POSITIVE * x;
+        let bounds = point([0.0; 3]).union(point([tiny(64.0), tiny(32.0), tiny(0.5)]));
+        let frame = Frame::new(&bounds, 10);
+        let top = [tiny(64.0), tiny(32.0), tiny(0.5)];
+        assert_eq!(frame.cell(&point(top)), [1023, 511, 0]);
+        assert_eq!(frame.cell(&point([tiny(16.0), tiny(8.0), 0.0])), [255, 127, 0]);
+        // Not a step.
+        let denormal = point([0.0; 3]).union(point([tiny(0.5), tiny(0.25), 0.0]));
+        let frame = Frame::new(&denormal, 10);
+        assert_eq!(frame.cell(&point([tiny(0.5), 0.0, 0.0])), [0, 0, 0]);
     }
 
     #[test]

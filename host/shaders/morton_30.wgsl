@@ -10,19 +10,19 @@ struct type_21 {
     member: array<array<u32, 2>>,
 }
 
-struct type_24 {
+struct type_23 {
     member: i32,
     member_1: i32,
     member_2: u32,
 }
 
-struct type_26 {
-    member: array<type_24, 3>,
+struct type_25 {
+    member: array<type_23, 3>,
     member_1: u32,
 }
 
-struct type_28 {
-    member: array<type_26>,
+struct type_27 {
+    member: array<type_25>,
 }
 
 var<private> global: vec3<u32>;
@@ -31,252 +31,129 @@ var<storage> global_1: type_9;
 @group(0) @binding(2) 
 var<storage> global_2: type_13;
 @group(0) @binding(0) 
-var<storage> global_3: type_28;
+var<storage> global_3: type_27;
 @group(0) @binding(3) 
 var<storage, read_write> global_4: type_21;
 
 fn function_() {
-    var phi_126_: array<u32, 3>;
-    var phi_141_: array<f32, 3>;
-    var phi_159_: array<f32, 3>;
-    var phi_177_: array<f32, 3>;
-    var phi_281_: i32;
-    var phi_291_: i32;
-    var phi_332_: i32;
-    var phi_342_: i32;
-    var phi_427_: i32;
-    var phi_437_: i32;
-    var phi_478_: i32;
-    var phi_488_: i32;
-    var phi_573_: i32;
-    var phi_583_: i32;
-    var phi_624_: i32;
-    var phi_634_: i32;
+    var phi_124_: array<u32, 3>;
+    var phi_139_: array<f32, 3>;
+    var phi_157_: array<f32, 3>;
+    var phi_175_: array<f32, 3>;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e32 = global;
-            let _e34 = arrayLength((&global_3.member));
-            let _e37 = arrayLength((&global_1.member));
-            let _e46 = (_e32.x + (_e32.y * 2097152u));
-            let _e47 = (_e46 < arrayLength((&global_4.member)));
-            if _e47 {
-                if (_e34 == 0u) {
+            let _e33 = global;
+            let _e35 = arrayLength((&global_3.member));
+            let _e38 = arrayLength((&global_1.member));
+            let _e47 = (_e33.x + (_e33.y * 2097152u));
+            let _e48 = (_e47 < arrayLength((&global_4.member)));
+            if _e48 {
+                if (_e35 == 0u) {
                 } else {
-                    let _e49 = (_e46 < arrayLength((&global_2.member)));
-                    if _e49 {
-                        if _e49 {
+                    let _e50 = (_e47 < arrayLength((&global_2.member)));
+                    if _e50 {
+                        if _e50 {
                         } else {
                             break;
                         }
-                        let _e51 = global_2.member[_e46];
-                        phi_126_ = _e51;
+                        let _e52 = global_2.member[_e47];
+                        phi_124_ = _e52;
                     } else {
-                        phi_126_ = array<u32, 3>(0u, 0u, 0u);
+                        phi_124_ = array<u32, 3>(0u, 0u, 0u);
                     }
-                    let _e53 = phi_126_;
-                    let _e55 = (_e53[0] < _e37);
-                    if _e55 {
-                        if _e55 {
+                    let _e54 = phi_124_;
+                    let _e56 = (_e54[0] < _e38);
+                    if _e56 {
+                        if _e56 {
                         } else {
                             break;
                         }
-                        let _e57 = global_1.member[_e53[0]];
-                        phi_141_ = _e57;
+                        let _e58 = global_1.member[_e54[0]];
+                        phi_139_ = _e58;
                     } else {
-                        phi_141_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_139_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e59 = phi_141_;
-                    let _e64 = (_e53[1] < _e37);
-                    if _e64 {
-                        if _e64 {
+                    let _e60 = phi_139_;
+                    let _e65 = (_e54[1] < _e38);
+                    if _e65 {
+                        if _e65 {
                         } else {
                             break;
                         }
-                        let _e66 = global_1.member[_e53[1]];
-                        phi_159_ = _e66;
+                        let _e67 = global_1.member[_e54[1]];
+                        phi_157_ = _e67;
                     } else {
-                        phi_159_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_157_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e68 = phi_159_;
-                    let _e73 = (_e53[2] < _e37);
-                    if _e73 {
-                        if _e73 {
+                    let _e69 = phi_157_;
+                    let _e74 = (_e54[2] < _e38);
+                    if _e74 {
+                        if _e74 {
                         } else {
                             break;
                         }
-                        let _e75 = global_1.member[_e53[2]];
-                        phi_177_ = _e75;
+                        let _e76 = global_1.member[_e54[2]];
+                        phi_175_ = _e76;
                     } else {
-                        phi_177_ = array<f32, 3>(0f, 0f, 0f);
+                        phi_175_ = array<f32, 3>(0f, 0f, 0f);
                     }
-                    let _e77 = phi_177_;
-                    let _e82 = select(_e68[0], _e59[0], (_e59[0] < _e68[0]));
-                    let _e84 = select(_e68[1], _e59[1], (_e59[1] < _e68[1]));
-                    let _e86 = select(_e68[2], _e59[2], (_e59[2] < _e68[2]));
-                    let _e94 = select(_e68[0], _e59[0], (_e59[0] > _e68[0]));
-                    let _e96 = select(_e68[1], _e59[1], (_e59[1] > _e68[1]));
-                    let _e98 = select(_e68[2], _e59[2], (_e59[2] > _e68[2]));
-                    if (0u < _e34) {
+                    let _e78 = phi_175_;
+                    let _e83 = select(_e69[0], _e60[0], (_e60[0] < _e69[0]));
+                    let _e85 = select(_e69[1], _e60[1], (_e60[1] < _e69[1]));
+                    let _e87 = select(_e69[2], _e60[2], (_e60[2] < _e69[2]));
+                    let _e95 = select(_e69[0], _e60[0], (_e60[0] > _e69[0]));
+                    let _e97 = select(_e69[1], _e60[1], (_e60[1] > _e69[1]));
+                    let _e99 = select(_e69[2], _e60[2], (_e60[2] > _e69[2]));
+                    if (0u < _e35) {
                     } else {
                         break;
                     }
-                    let _e111 = global_3.member[0u].member[0u].member;
-                    let _e117 = global_3.member[0u].member[0u].member_1;
-                    let _e123 = global_3.member[0u].member[0u].member_2;
-                    let _e124 = bitcast<u32>(select(_e77[0], _e82, (_e82 < _e77[0])));
-                    let _e127 = ((_e124 >> bitcast<u32>(23i)) & 255u);
-                    let _e129 = select(0u, 1u, (_e127 != 0u));
-                    let _e138 = (_e111 - ((bitcast<i32>(_e127) - bitcast<i32>(_e129)) + -149i));
-                    let _e139 = (_e138 < 0i);
-                    if _e139 {
-                        phi_281_ = -(_e138);
-                    } else {
-                        phi_281_ = 0i;
-                    }
-                    let _e142 = phi_281_;
-                    if _e139 {
-                        phi_291_ = 0i;
-                    } else {
-                        phi_291_ = select(_e138, 31i, (_e138 > 31i));
-                    }
-                    let _e146 = phi_291_;
-                    let _e147 = (_e146 & 31i);
-                    let _e161 = (bitcast<i32>(_e124) >> bitcast<u32>(31i));
-                    let _e165 = bitcast<u32>(select(_e77[0], _e94, (_e94 > _e77[0])));
-                    let _e168 = ((_e165 >> bitcast<u32>(23i)) & 255u);
-                    let _e170 = select(0u, 1u, (_e168 != 0u));
-                    let _e179 = (_e111 - ((bitcast<i32>(_e168) - bitcast<i32>(_e170)) + -149i));
-                    let _e180 = (_e179 < 0i);
-                    if _e180 {
-                        phi_332_ = -(_e179);
-                    } else {
-                        phi_332_ = 0i;
-                    }
-                    let _e183 = phi_332_;
-                    if _e180 {
-                        phi_342_ = 0i;
-                    } else {
-                        phi_342_ = select(_e179, 31i, (_e179 > 31i));
-                    }
-                    let _e187 = phi_342_;
-                    let _e188 = (_e187 & 31i);
-                    let _e202 = (bitcast<i32>(_e165) >> bitcast<u32>(31i));
-                    let _e212 = (bitcast<u32>(((((bitcast<i32>((((((_e124 & 8388607u) | (_e129 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e142) & 31u))) + ((1u << bitcast<u32>(_e147)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e147))) ^ _e161) - _e161) + ((bitcast<i32>((((((_e165 & 8388607u) | (_e170 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e183) & 31u))) + ((1u << bitcast<u32>(_e188)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e188))) ^ _e202) - _e202)) - _e117)) << bitcast<u32>(((_e123 & 31u) & 31u)));
-                    let _e216 = global_3.member[0u].member_1;
-                    let _e218 = (_e212 >> bitcast<u32>(16i));
-                    let _e219 = (_e212 & 65535u);
-                    let _e221 = (_e216 >> bitcast<u32>(16i));
-                    let _e222 = (_e216 & 65535u);
-                    let _e227 = ((_e218 * _e222) + ((_e219 * _e222) >> bitcast<u32>(16i)));
-                    let _e249 = global_3.member[0u].member[1u].member;
-                    let _e255 = global_3.member[0u].member[1u].member_1;
-                    let _e261 = global_3.member[0u].member[1u].member_2;
-                    let _e262 = bitcast<u32>(select(_e77[1], _e84, (_e84 < _e77[1])));
-                    let _e265 = ((_e262 >> bitcast<u32>(23i)) & 255u);
-                    let _e267 = select(0u, 1u, (_e265 != 0u));
-                    let _e276 = (_e249 - ((bitcast<i32>(_e265) - bitcast<i32>(_e267)) + -149i));
-                    let _e277 = (_e276 < 0i);
-                    if _e277 {
-                        phi_427_ = -(_e276);
-                    } else {
-                        phi_427_ = 0i;
-                    }
-                    let _e280 = phi_427_;
-                    if _e277 {
-                        phi_437_ = 0i;
-                    } else {
-                        phi_437_ = select(_e276, 31i, (_e276 > 31i));
-                    }
-                    let _e284 = phi_437_;
-                    let _e285 = (_e284 & 31i);
-                    let _e299 = (bitcast<i32>(_e262) >> bitcast<u32>(31i));
-                    let _e303 = bitcast<u32>(select(_e77[1], _e96, (_e96 > _e77[1])));
-                    let _e306 = ((_e303 >> bitcast<u32>(23i)) & 255u);
-                    let _e308 = select(0u, 1u, (_e306 != 0u));
-                    let _e317 = (_e249 - ((bitcast<i32>(_e306) - bitcast<i32>(_e308)) + -149i));
-                    let _e318 = (_e317 < 0i);
-                    if _e318 {
-                        phi_478_ = -(_e317);
-                    } else {
-                        phi_478_ = 0i;
-                    }
-                    let _e321 = phi_478_;
-                    if _e318 {
-                        phi_488_ = 0i;
-                    } else {
-                        phi_488_ = select(_e317, 31i, (_e317 > 31i));
-                    }
-                    let _e325 = phi_488_;
-                    let _e326 = (_e325 & 31i);
-                    let _e340 = (bitcast<i32>(_e303) >> bitcast<u32>(31i));
-                    let _e350 = (bitcast<u32>(((((bitcast<i32>((((((_e262 & 8388607u) | (_e267 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e280) & 31u))) + ((1u << bitcast<u32>(_e285)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e285))) ^ _e299) - _e299) + ((bitcast<i32>((((((_e303 & 8388607u) | (_e308 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e321) & 31u))) + ((1u << bitcast<u32>(_e326)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e326))) ^ _e340) - _e340)) - _e255)) << bitcast<u32>(((_e261 & 31u) & 31u)));
-                    let _e352 = (_e350 >> bitcast<u32>(16i));
-                    let _e353 = (_e350 & 65535u);
-                    let _e358 = ((_e352 * _e222) + ((_e353 * _e222) >> bitcast<u32>(16i)));
-                    let _e380 = global_3.member[0u].member[2u].member;
-                    let _e386 = global_3.member[0u].member[2u].member_1;
-                    let _e392 = global_3.member[0u].member[2u].member_2;
-                    let _e393 = bitcast<u32>(select(_e77[2], _e86, (_e86 < _e77[2])));
-                    let _e396 = ((_e393 >> bitcast<u32>(23i)) & 255u);
-                    let _e398 = select(0u, 1u, (_e396 != 0u));
-                    let _e407 = (_e380 - ((bitcast<i32>(_e396) - bitcast<i32>(_e398)) + -149i));
-                    let _e408 = (_e407 < 0i);
-                    if _e408 {
-                        phi_573_ = -(_e407);
-                    } else {
-                        phi_573_ = 0i;
-                    }
-                    let _e411 = phi_573_;
-                    if _e408 {
-                        phi_583_ = 0i;
-                    } else {
-                        phi_583_ = select(_e407, 31i, (_e407 > 31i));
-                    }
-                    let _e415 = phi_583_;
-                    let _e416 = (_e415 & 31i);
-                    let _e430 = (bitcast<i32>(_e393) >> bitcast<u32>(31i));
-                    let _e434 = bitcast<u32>(select(_e77[2], _e98, (_e98 > _e77[2])));
-                    let _e437 = ((_e434 >> bitcast<u32>(23i)) & 255u);
-                    let _e439 = select(0u, 1u, (_e437 != 0u));
-                    let _e448 = (_e380 - ((bitcast<i32>(_e437) - bitcast<i32>(_e439)) + -149i));
-                    let _e449 = (_e448 < 0i);
-                    if _e449 {
-                        phi_624_ = -(_e448);
-                    } else {
-                        phi_624_ = 0i;
-                    }
-                    let _e452 = phi_624_;
-                    if _e449 {
-                        phi_634_ = 0i;
-                    } else {
-                        phi_634_ = select(_e448, 31i, (_e448 > 31i));
-                    }
-                    let _e456 = phi_634_;
-                    let _e457 = (_e456 & 31i);
-                    let _e471 = (bitcast<i32>(_e434) >> bitcast<u32>(31i));
-                    let _e481 = (bitcast<u32>(((((bitcast<i32>((((((_e393 & 8388607u) | (_e398 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e411) & 31u))) + ((1u << bitcast<u32>(_e416)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e416))) ^ _e430) - _e430) + ((bitcast<i32>((((((_e434 & 8388607u) | (_e439 << bitcast<u32>(23i))) << bitcast<u32>((bitcast<u32>(_e452) & 31u))) + ((1u << bitcast<u32>(_e457)) >> bitcast<u32>(1i))) >> bitcast<u32>(_e457))) ^ _e471) - _e471)) - _e386)) << bitcast<u32>(((_e392 & 31u) & 31u)));
-                    let _e483 = (_e481 >> bitcast<u32>(16i));
-                    let _e484 = (_e481 & 65535u);
-                    let _e489 = ((_e483 * _e222) + ((_e484 * _e222) >> bitcast<u32>(16i)));
-                    let _e506 = (((((_e218 * _e221) + (_e227 >> bitcast<u32>(16i))) + (((_e219 * _e221) + (_e227 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e123 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
-                    let _e510 = ((_e506 | (_e506 << bitcast<u32>(16i))) & 50331903u);
-                    let _e514 = ((_e510 | (_e510 << bitcast<u32>(8i))) & 50393103u);
-                    let _e518 = ((_e514 | (_e514 << bitcast<u32>(4i))) & 51130563u);
-                    let _e525 = (((((_e352 * _e221) + (_e358 >> bitcast<u32>(16i))) + (((_e353 * _e221) + (_e358 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e261 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
-                    let _e529 = ((_e525 | (_e525 << bitcast<u32>(16i))) & 50331903u);
-                    let _e533 = ((_e529 | (_e529 << bitcast<u32>(8i))) & 50393103u);
-                    let _e537 = ((_e533 | (_e533 << bitcast<u32>(4i))) & 51130563u);
-                    let _e545 = (((((_e483 * _e221) + (_e489 >> bitcast<u32>(16i))) + (((_e484 * _e221) + (_e489 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e392 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
-                    let _e549 = ((_e545 | (_e545 << bitcast<u32>(16i))) & 50331903u);
-                    let _e553 = ((_e549 | (_e549 << bitcast<u32>(8i))) & 50393103u);
-                    let _e557 = ((_e553 | (_e553 << bitcast<u32>(4i))) & 51130563u);
-                    if _e47 {
+                    let _e111 = global_3.member[0u].member[0u];
+                    let _e117 = bitcast<f32>((bitcast<u32>((127i - _e111.member)) << bitcast<u32>(23i)));
+                    let _e118 = (select(_e78[0], _e83, (_e83 < _e78[0])) * _e117);
+                    let _e126 = (select(_e78[0], _e95, (_e95 > _e78[0])) * _e117);
+                    let _e142 = (bitcast<u32>(((select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < -2147483600f)), 2147483647i, (_e118 > 2147483500f)), (_e118 == _e118)) + select(0i, select(select(i32(_e126), i32(-2147483648), (_e126 < -2147483600f)), 2147483647i, (_e126 > 2147483500f)), (_e126 == _e126))) - _e111.member_1)) << bitcast<u32>(((_e111.member_2 & 31u) & 31u)));
+                    let _e146 = global_3.member[0u].member_1;
+                    let _e148 = (_e142 >> bitcast<u32>(16i));
+                    let _e149 = (_e142 & 65535u);
+                    let _e151 = (_e146 >> bitcast<u32>(16i));
+                    let _e152 = (_e146 & 65535u);
+                    let _e157 = ((_e148 * _e152) + ((_e149 * _e152) >> bitcast<u32>(16i)));
+                    let _e178 = global_3.member[0u].member[1u];
+                    let _e184 = bitcast<f32>((bitcast<u32>((127i - _e178.member)) << bitcast<u32>(23i)));
+                    let _e185 = (select(_e78[1], _e85, (_e85 < _e78[1])) * _e184);
+                    let _e193 = (select(_e78[1], _e97, (_e97 > _e78[1])) * _e184);
+                    let _e209 = (bitcast<u32>(((select(0i, select(select(i32(_e185), i32(-2147483648), (_e185 < -2147483600f)), 2147483647i, (_e185 > 2147483500f)), (_e185 == _e185)) + select(0i, select(select(i32(_e193), i32(-2147483648), (_e193 < -2147483600f)), 2147483647i, (_e193 > 2147483500f)), (_e193 == _e193))) - _e178.member_1)) << bitcast<u32>(((_e178.member_2 & 31u) & 31u)));
+                    let _e211 = (_e209 >> bitcast<u32>(16i));
+                    let _e212 = (_e209 & 65535u);
+                    let _e217 = ((_e211 * _e152) + ((_e212 * _e152) >> bitcast<u32>(16i)));
+                    let _e238 = global_3.member[0u].member[2u];
+                    let _e244 = bitcast<f32>((bitcast<u32>((127i - _e238.member)) << bitcast<u32>(23i)));
+                    let _e245 = (select(_e78[2], _e87, (_e87 < _e78[2])) * _e244);
+                    let _e253 = (select(_e78[2], _e99, (_e99 > _e78[2])) * _e244);
+                    let _e269 = (bitcast<u32>(((select(0i, select(select(i32(_e245), i32(-2147483648), (_e245 < -2147483600f)), 2147483647i, (_e245 > 2147483500f)), (_e245 == _e245)) + select(0i, select(select(i32(_e253), i32(-2147483648), (_e253 < -2147483600f)), 2147483647i, (_e253 > 2147483500f)), (_e253 == _e253))) - _e238.member_1)) << bitcast<u32>(((_e238.member_2 & 31u) & 31u)));
+                    let _e271 = (_e269 >> bitcast<u32>(16i));
+                    let _e272 = (_e269 & 65535u);
+                    let _e277 = ((_e271 * _e152) + ((_e272 * _e152) >> bitcast<u32>(16i)));
+                    let _e294 = (((((_e148 * _e151) + (_e157 >> bitcast<u32>(16i))) + (((_e149 * _e151) + (_e157 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e111.member_2 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
+                    let _e298 = ((_e294 | (_e294 << bitcast<u32>(16i))) & 50331903u);
+                    let _e302 = ((_e298 | (_e298 << bitcast<u32>(8i))) & 50393103u);
+                    let _e306 = ((_e302 | (_e302 << bitcast<u32>(4i))) & 51130563u);
+                    let _e313 = (((((_e211 * _e151) + (_e217 >> bitcast<u32>(16i))) + (((_e212 * _e151) + (_e217 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e178.member_2 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
+                    let _e317 = ((_e313 | (_e313 << bitcast<u32>(16i))) & 50331903u);
+                    let _e321 = ((_e317 | (_e317 << bitcast<u32>(8i))) & 50393103u);
+                    let _e325 = ((_e321 | (_e321 << bitcast<u32>(4i))) & 51130563u);
+                    let _e333 = (((((_e271 * _e151) + (_e277 >> bitcast<u32>(16i))) + (((_e272 * _e151) + (_e277 & 65535u)) >> bitcast<u32>(16i))) >> bitcast<u32>((((_e238.member_2 >> bitcast<u32>(16i)) & 31u) & 31u))) & 1023u);
+                    let _e337 = ((_e333 | (_e333 << bitcast<u32>(16i))) & 50331903u);
+                    let _e341 = ((_e337 | (_e337 << bitcast<u32>(8i))) & 50393103u);
+                    let _e345 = ((_e341 | (_e341 << bitcast<u32>(4i))) & 51130563u);
+                    if _e48 {
                     } else {
                         break;
                     }
-                    global_4.member[_e46][0u] = (((((_e518 | (_e518 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e537 | (_e537 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e557 | (_e557 << bitcast<u32>(2i))) & 153391689u));
-                    global_4.member[_e46][1u] = _e46;
+                    global_4.member[_e47][0u] = (((((_e306 | (_e306 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(2i)) | (((_e325 | (_e325 << bitcast<u32>(2i))) & 153391689u) << bitcast<u32>(1i))) | ((_e345 | (_e345 << bitcast<u32>(2i))) & 153391689u));
+                    global_4.member[_e47][1u] = _e47;
                 }
             }
             break;
