@@ -270,7 +270,10 @@ mod tests {
         let frame = Frame::new(&bounds, 10);
         let top = [tiny(64.0), tiny(32.0), tiny(0.5)];
         assert_eq!(frame.cell(&point(top)), [1023, 511, 0]);
-        assert_eq!(frame.cell(&point([tiny(16.0), tiny(8.0), 0.0])), [255, 127, 0]);
+        assert_eq!(
+            frame.cell(&point([tiny(16.0), tiny(8.0), 0.0])),
+            [255, 127, 0]
+        );
         // Not a step.
         let denormal = point([0.0; 3]).union(point([tiny(0.5), tiny(0.25), 0.0]));
         let frame = Frame::new(&denormal, 10);

@@ -9,6 +9,7 @@ mod exact;
 mod faults;
 mod fuzz_seeds;
 mod gpu;
+mod instructions;
 mod meshes;
 mod negative_controls;
 mod odd_rays;

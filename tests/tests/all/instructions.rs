@@ -1,0 +1,247 @@
+//! How many instructions builds and rays take, counted by Valgrind, beside the record: a guard against what is slower without
+//! anybody's noticing. Times tell nothing on a busy machine; counts differ by less than a thousandth from run to run.
+//!
+//! `UPDATE_GOLDEN=1` writes the record anew. Without Valgrind, or on another kind of processor, nothing is compared, which
+//! `REQUIRE_VALGRIND=1` makes a failure.
+
+use slimbvh::generate::{TorusKnot, terrain, torus_knot};
+use slimbvh::{BuildConfig, Builder, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What is counted: a number of rounds of it.
+const JOBS: [(&str, fn(usize)); 6] = [
+    ("build, 30-bit codes", |rounds| {
+        build(rounds, &knot(), CodeBits::Bits30.into())
+    }),
+    ("build, 63-bit codes", |rounds| {
+        build(rounds, &knot(), CodeBits::Bits63.into())
+    }),
+    ("build, q10, triangles on the lattice", |rounds| {
+        build(rounds, &knot(), on_lattice())
+    }),
+    ("closest hits", |rounds| {
+        trace(rounds, BuildConfig::default(), false)
+    }),
+    ("any hits", |rounds| {
+        trace(rounds, BuildConfig::default(), true)
+    }),
+    ("closest hits, q10, triangles on the lattice", |rounds| {
+        trace(rounds, on_lattice(), false)
+    }),
+];
+
+/// Counts may be this much above the record, as a share, and as much below, or the record is out of date.
+const SLACK: f64 = 0.05;
+
+/// With another compiler than the record's, they may differ by this.
+const SLACK_OF_ANOTHER_COMPILER: f64 = 0.25;
+
+/// The environment variable that tells [`the_process_that_is_counted`] which job, and how many rounds.
+const COUNTED: &str = "SLIMBVH_COUNTED_JOB";
+
+fn on_lattice() -> BuildConfig {
+    BuildConfig {
+        nodes: NodeCodec::Lattice(LatticeBits::Q10),
+        mesh: MeshCodec::Lattice { step_exponent: -12 },
+        ..BuildConfig::default()
+    }
+}
+
+/// Some ten thousand triangles, of coordinates on the lattice above.
+fn knot() -> Mesh {
+    snapped(torus_knot(&TorusKnot {
+        segments: 512,
+        sides: 12,
+        ..TorusKnot::default()
+    }))
+}
+
+fn snapped(mut mesh: Mesh) -> Mesh {
+    for x in mesh.vertices.as_flattened_mut() {
+        *x = (*x * 4096.0).round() / 4096.0;
+    }
+    mesh
+}
+
+fn build(rounds: usize, mesh: &Mesh, config: BuildConfig) {
+    let mut builder = Builder::new(config);
+    let mut bvh = slimbvh::Bvh::default();
+    for _ in 0..=rounds {
+        builder
+            .build_into(mesh, &mut bvh)
+            .expect("the mesh is sound");
+    }
+}
+
+fn trace(rounds: usize, config: BuildConfig, any: bool) {
+    let mesh = snapped(terrain(8.0, 64, 7));
+    let bvh = Builder::new(config)
+        .build(&mesh)
+        .expect("the mesh is sound");
+    let mut hit_count = 0;
+    for _ in 0..rounds {
+        for i in 0..10_000u16 {
+            let (x, z) = (
+                f32::from(i % 100) * 0.06 - 3.0,
+                f32::from(i / 100) * 0.06 - 3.0,
+            );
+            let ray = Ray::new([0.5, 6.0, 11.0], [x - 0.5, -6.0, z - 11.0]);
+            let is_hit = if any {
+                bvh.any_hit(&ray)
+            } else {
+                bvh.closest_hit(&ray).is_hit()
+            };
+            hit_count += usize::from(is_hit);
+        }
+    }
+    assert!(rounds == 0 || hit_count > 5_000 * rounds, "{hit_count}");
+}
+
+#[test]
+#[ignore = "it is run under Valgrind by another test"]
+fn the_process_that_is_counted() {
+    let asked = std::env::var(COUNTED).expect("another test says what to count");
+    let (job, rounds) = asked.split_once(' ').expect("a job's number, and rounds");
+    let (job, rounds): (usize, usize) = (
+        job.parse().expect("a number"),
+        rounds.parse().expect("a number"),
+    );
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .expect("a thread");
+    pool.install(|| JOBS[job].1(rounds));
+}
+
+/// Instructions of one round, in thousands.
+fn count(job: usize) -> u64 {
+    let [some, more] = [1, 3].map(|rounds| {
+        let output = Command::new("valgrind")
+            .args([
+                "--tool=cachegrind",
+                "--cache-sim=no",
+                "--cachegrind-out-file=/dev/null",
+            ])
+            .arg(std::env::current_exe().expect("this test has a path"))
+            .args([
+                "--exact",
+                "instructions::the_process_that_is_counted",
+                "--ignored",
+            ])
+            .args(["--test-threads", "1"])
+            .env(COUNTED, format!("{job} {rounds}"))
+            .env("RAYON_NUM_THREADS", "1")
+            .output()
+            .expect("Valgrind starts");
+        let log = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{log}");
+        total(&log).unwrap_or_else(|| panic!("nothing was counted:\n{log}"))
+    });
+    (more - some) / 2 / 1000
+}
+
+/// The number in the line `==1== I   refs:      434,917,997`.
+fn total(log: &str) -> Option<u64> {
+    let mut lines = log.lines();
+    let line = lines.find(|line| line.split_whitespace().skip(1).take(2).eq(["I", "refs:"]))?;
+    line.split_whitespace()
+        .last()?
+        .replace(',', "")
+        .parse()
+        .ok()
+}
+
+/// The compiler, as it calls itself.
+fn compiler() -> String {
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
+    let output = Command::new(rustc).arg("--version").output();
+    output.map_or_else(
+        |_| "unknown".into(),
+        |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
+    )
+}
+
+fn path() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../bench/record/instructions.csv")
+}
+
+fn is_to_be_counted() -> bool {
+    let is_there = Command::new("valgrind").arg("--version").output().is_ok();
+    let is_counted = is_there && cfg!(all(target_arch = "x86_64", target_os = "linux"));
+    let is_required = std::env::var_os("REQUIRE_VALGRIND").is_some_and(|value| value == "1");
+    assert!(
+        is_counted || !is_required,
+        "instructions cannot be counted here: install Valgrind"
+    );
+    if !is_counted {
+        eprintln!(
+            "INSTRUCTIONS WERE NOT COUNTED: there is no Valgrind here, or another kind of processor than the record's"
+        );
+    }
+    is_counted
+}
+
+#[test]
+fn no_more_instructions_than_on_record() {
+    if !is_to_be_counted() {
+        return;
+    }
+    let counts = JOBS.map(|_| 0);
+    let counts: Vec<u64> = (0..counts.len()).map(count).collect();
+    if std::env::var_os("UPDATE_GOLDEN").is_some_and(|update| update == "1") {
+        let mut text = format!("# {}\njob;instructions, thousands\n", compiler());
+        for ((name, _), count) in JOBS.iter().zip(&counts) {
+            writeln!(text, "{name};{count}").expect("a string takes all");
+        }
+        std::fs::write(path(), text).expect("the record can be written");
+        return;
+    }
+    let text = std::fs::read_to_string(path()).expect("there is a record");
+    let mut lines = text.lines();
+    let of = lines
+        .next()
+        .and_then(|line| line.strip_prefix("# "))
+        .expect("the compiler comes first");
+    let slack = if of == compiler() {
+        SLACK
+    } else {
+        SLACK_OF_ANOTHER_COMPILER
+    };
+    let recorded: Vec<(&str, f64)> = lines
+        .skip(1)
+        .filter_map(|line| line.split_once(';'))
+        .map(|(name, count)| (name, count.parse().expect("a count")))
+        .collect();
+    let names: Vec<&str> = recorded.iter().map(|(name, _)| *name).collect();
+    assert_eq!(
+        names,
+        JOBS.map(|(name, _)| name),
+        "UPDATE_GOLDEN=1 writes the record anew"
+    );
+    let mut wrong = String::new();
+    for ((name, recorded), count) in recorded.into_iter().zip(counts) {
+        let ratio = count as f64 / recorded;
+        println!("{name}: {count} thousand instructions, {ratio:.3} of the record");
+        if (ratio - 1.0).abs() > slack {
+            writeln!(
+                wrong,
+                "{name}: {count} thousand instructions, {ratio:.3} of the record"
+            )
+            .expect("a string takes all");
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "more than {slack} off; where that is meant, UPDATE_GOLDEN=1 writes the record anew:\n{wrong}"
+    );
+}
+
+#[test]
+fn the_total_is_found() {
+    let log =
+        "==7== Cachegrind\n==7== Command: I refs: 5\n==7== \n==7== I   refs:      1,234,567\n";
+    assert_eq!(total(log), Some(1_234_567));
+    assert_eq!(total("==7== D refs:  8"), None);
+}
