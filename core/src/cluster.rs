@@ -1,0 +1,286 @@
+//! Stage `cluster`: a tree from the leaves up. Neighbours along the curve that suit each other best are merged, in rounds,
+//! until one cluster is left (Meister and Bittner 2018, "Parallel Locally-Ordered Clustering for Bounding Volume Hierarchy
+//! Construction"; as in Benthin et al. 2022, "PLOC++", with one scan a round).
+//!
+//! Clusters are numbered: the triangles in the order of the curve come first, then each merge. A round looks at the list of
+//! clusters that are left, in order: [`merging_pairs`] says which of its pairs of neighbours merge, a scan numbers them,
+//! and [`merge`] makes their clusters. Of a pair, the left place goes to the new cluster, and the list closes up.
+//! [`place`] then numbers nodes and triangles as `topology` does, so that all later stages need not know.
+//!
+//! **Rounds are bounded.** In a round that merges by choice the cheapest of all pairs merges, so one cluster goes, but no
+//! more where costs rise all along the curve. So a round that has as many clusters as halving can just bring to one by the
+//! last round, merges every second pair, whatever it costs: `⌈log₂ count⌉ <= ROUNDS − round` holds from the first
+//! round to the last.
+//!
+//! **Depth is bounded.** A merge puts one node above two. Rotating it may put one of its two children a step deeper, which
+//! is allowed in the first [`DEEPENING_ROUNDS`] only: [`depth_bound`].
+
+mod merge;
+mod place;
+
+pub use merge::{Member, Merge, merge};
+pub use place::{Place, PlacedNode, node_at, open, triangle_at};
+
+use crate::float::{max, min};
+use crate::node::LEAF_SIZE;
+use crate::orientation::product;
+use crate::triangle::LeafTriangle;
+use bytemuck::{Pod, Zeroable};
+
+/// Rounds at most.
+pub const ROUNDS: u32 = 84;
+
+/// Rounds in which a merge may put what it merges two steps down.
+pub const DEEPENING_ROUNDS: u32 = 42;
+
+const _: () = assert!(crate::MAX_TRIANGLES.ilog2() <= ROUNDS);
+
+/// No cluster.
+pub const NOTHING: u32 = u32::MAX;
+
+/// A triangle, or two clusters in one. 32 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Cluster {
+    /// Bytes 0–11: smallest coordinates.
+    pub min: [f32; 3],
+    /// Bytes 12–15: the first of two clusters; any number in a triangle.
+    pub left: u32,
+    /// Bytes 16–27: largest coordinates.
+    pub max: [f32; 3],
+    /// Bytes 28–31: the second of two clusters.
+    pub right: u32,
+}
+
+const _: () = assert!(size_of::<Cluster>() == 32);
+
+/// How much is in a cluster. 8 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Size {
+    /// Bytes 0–3: triangles.
+    pub triangles: u32,
+    /// Bytes 4–7: nodes with more than [`LEAF_SIZE`] triangles, itself among them.
+    pub nodes: u32,
+}
+
+impl Size {
+    /// A triangle's.
+    pub const TRIANGLE: Self = Self {
+        triangles: 1,
+        nodes: 0,
+    };
+
+    /// That of two in one.
+    #[inline(always)]
+    #[must_use]
+    pub const fn joined(self, other: Self) -> Self {
+        let triangles = self.triangles + other.triangles;
+        let nodes = if triangles > LEAF_SIZE {
+            1 + self.nodes + other.nodes
+        } else {
+            0
+        };
+        Self { triangles, nodes }
+    }
+}
+
+/// All clusters that there are, by number.
+pub trait Clusters {
+    /// A cluster.
+    fn cluster(&self, id: u32) -> Cluster;
+
+    /// How much is in it.
+    fn size(&self, id: u32) -> Size;
+}
+
+/// Clusters in plain lists.
+#[derive(Clone, Copy)]
+pub struct ClusterList<'a> {
+    /// Triangles, then merges.
+    pub clusters: &'a [Cluster],
+    /// Sizes of merges.
+    pub sizes: &'a [Size],
+    /// How many triangles.
+    pub triangle_count: u32,
+}
+
+impl Clusters for ClusterList<'_> {
+    #[inline(always)]
+    fn cluster(&self, id: u32) -> Cluster {
+        crate::load(self.clusters, id, Cluster::EMPTY)
+    }
+
+    #[inline(always)]
+    fn size(&self, id: u32) -> Size {
+        if id < self.triangle_count {
+            Size::TRIANGLE
+        } else {
+            crate::load(self.sizes, id - self.triangle_count, Size::TRIANGLE)
+        }
+    }
+}
+
+impl Cluster {
+    /// A point, of nothing.
+    pub(crate) const EMPTY: Self = Self {
+        min: [0.0; 3],
+        left: NOTHING,
+        max: [0.0; 3],
+        right: NOTHING,
+    };
+}
+
+/// A round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Round {
+    /// Which, from 0.
+    pub index: u32,
+    /// Clusters that are left.
+    pub count: u32,
+}
+
+impl Round {
+    /// Whether every second pair must merge, or there would not be rounds enough.
+    #[inline(always)]
+    #[must_use]
+    pub const fn is_forced(self) -> bool {
+        let halvings = 32 - self.count.wrapping_sub(1).leading_zeros();
+        self.index + halvings >= ROUNDS
+    }
+
+    /// Whether a merge may put what it merges two steps down.
+    #[inline(always)]
+    #[must_use]
+    pub const fn may_deepen(self) -> bool {
+        self.index < DEEPENING_ROUNDS
+    }
+
+    /// The number of this round's first merge, over so many triangles.
+    #[inline(always)]
+    #[must_use]
+    pub const fn first_merge(self, triangle_count: u32) -> u32 {
+        2 * triangle_count - self.count
+    }
+}
+
+/// One thread per triangle, in the order of the curve. Returns its cluster.
+#[inline(always)]
+#[must_use]
+pub fn triangle_cluster(i: u32, triangles: &[LeafTriangle]) -> Cluster {
+    let triangle = crate::load(triangles, i, LeafTriangle::NOTHING).triangle();
+    let bounds = triangle.bounds();
+    Cluster {
+        min: [bounds.min.x, bounds.min.y, bounds.min.z],
+        left: NOTHING,
+        max: [bounds.max.x, bounds.max.y, bounds.max.z],
+        right: NOTHING,
+    }
+}
+
+/// One thread per 32 pairs of neighbours among the clusters that are left (`active`). Returns a bit for each pair that
+/// merges: the clusters `32·word + bit` and the next, if their cost is below that of both pairs that share one with them.
+/// Of equal costs, that of a pair that begins at an even place counts as lower, so that a row of them merges in one round.
+///
+/// `zero` is 0, but only at run time.
+#[inline]
+#[must_use]
+pub fn merging_pairs<C: Clusters>(
+    word: u32,
+    round: Round,
+    active: &[u32],
+    clusters: &C,
+    zero: u32,
+) -> u32 {
+    let first = 32 * word;
+    let pair_count = round.count - (round.count > 0) as u32;
+    if round.is_forced() {
+        return every_second(first, pair_count);
+    }
+    let mut next = clusters.cluster(crate::load(active, first, 0));
+    let mut before = NO_PAIR;
+    if first > 0 {
+        let last = clusters.cluster(crate::load(active, first - 1, 0));
+        before = joint_area(&last, &next, zero);
+    }
+    // Costs come one after the other, each from the box that the last one left. Past the end all are of no pair.
+    let mut bits = 0;
+    let mut own = NO_PAIR;
+    for step in 0..33u32 {
+        let i = first + step;
+        let mut after = NO_PAIR;
+        if i < pair_count {
+            let last = next;
+            next = clusters.cluster(crate::load(active, i + 1, 0));
+            after = joint_area(&last, &next, zero);
+        }
+        // `own` is the pair before i.
+        if step > 0 {
+            let is_even = i & 1 == 1;
+            let is_lower = if is_even {
+                own <= before && own <= after
+            } else {
+                own < before && own < after
+            };
+            bits |= ((is_lower && i <= pair_count) as u32) << (step - 1);
+            before = own;
+        }
+        own = after;
+    }
+    bits
+}
+
+/// Costs more than any pair.
+const NO_PAIR: f32 = f32::MAX;
+
+/// Bits of the pairs that begin at an even place.
+#[inline(always)]
+const fn every_second(first: u32, pair_count: u32) -> u32 {
+    let there = if first >= pair_count {
+        0
+    } else if pair_count - first < 32 {
+        !(u32::MAX << (pair_count - first))
+    } else {
+        u32::MAX
+    };
+    0x5555_5555 & there
+}
+
+/// Sides count as no shorter, so that flat boxes differ by their length, and no product is too small to be exact
+/// everywhere. The scene's magnitude is 1.
+const SHORTEST: f32 = f32::from_bits((127 - 60) << 23);
+
+/// Half the surface of the box around two clusters, at least that of a cube of side [`SHORTEST`].
+#[inline(always)]
+fn joint_area(a: &Cluster, b: &Cluster, zero: u32) -> f32 {
+    let x = max(
+        max(a.max[0], b.max[0]) - min(a.min[0], b.min[0]),
+        SHORTEST,
+    );
+    let y = max(
+        max(a.max[1], b.max[1]) - min(a.min[1], b.min[1]),
+        SHORTEST,
+    );
+    let z = max(
+        max(a.max[2], b.max[2]) - min(a.min[2], b.min[2]),
+        SHORTEST,
+    );
+    product(x, y, zero) + product(y, z, zero) + product(z, x, zero)
+}
+
+/// Bound on the number of nodes on any path. Each has more than [`LEAF_SIZE`] triangles, one more than the next at least.
+#[must_use]
+pub const fn depth_bound(triangle_count: u32) -> u32 {
+    let chain = triangle_count.saturating_sub(LEAF_SIZE);
+    let most = ROUNDS + DEEPENING_ROUNDS;
+    if chain == 0 {
+        1
+    } else if chain < most {
+        chain
+    } else {
+        most
+    }
+}
+
+#[cfg(test)]
+mod tests;
