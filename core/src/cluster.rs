@@ -18,14 +18,15 @@
 mod merge;
 mod place;
 
-pub use merge::{Member, Merge, merge};
+pub use merge::{Made, Merge, merge};
 pub use place::{Place, PlacedNode, node_at, open, triangle_at};
 
-use crate::float::{max, min};
 use crate::node::LEAF_SIZE;
 use crate::orientation::product;
+use crate::refit::{PyramidBox, WideBox};
 use crate::triangle::LeafTriangle;
 use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
 
 /// Rounds at most.
 pub const ROUNDS: u32 = 84;
@@ -38,97 +39,59 @@ const _: () = assert!(crate::MAX_TRIANGLES.ilog2() <= ROUNDS);
 /// No cluster.
 pub const NOTHING: u32 = u32::MAX;
 
-/// A triangle, or two clusters in one. 32 bytes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Cluster {
-    /// Bytes 0–11: smallest coordinates.
-    pub min: [f32; 3],
-    /// Bytes 12–15: the first of two clusters; any number in a triangle.
-    pub left: u32,
-    /// Bytes 16–27: largest coordinates.
-    pub max: [f32; 3],
-    /// Bytes 28–31: the second of two clusters.
-    pub right: u32,
-}
-
-const _: () = assert!(size_of::<Cluster>() == 32);
-
-/// How much is in a cluster. 8 bytes.
+/// What a merge holds. 16 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
-pub struct Size {
-    /// Bytes 0–3: triangles.
+pub struct Content {
+    /// Bytes 0–3: the first of two clusters.
+    pub left: u32,
+    /// Bytes 4–7: the second.
+    pub right: u32,
+    /// Bytes 8–11: how many triangles.
     pub triangles: u32,
-    /// Bytes 4–7: nodes with more than [`LEAF_SIZE`] triangles, itself among them.
+    /// Bytes 12–15: how many nodes with more than [`LEAF_SIZE`] triangles, itself among them.
     pub nodes: u32,
 }
 
-impl Size {
-    /// A triangle's.
+const _: () = assert!(size_of::<Content>() == 16);
+
+impl Content {
+    /// A triangle.
     pub const TRIANGLE: Self = Self {
+        left: NOTHING,
+        right: NOTHING,
         triangles: 1,
         nodes: 0,
     };
-
-    /// That of two in one.
-    #[inline(always)]
-    #[must_use]
-    pub const fn joined(self, other: Self) -> Self {
-        let triangles = self.triangles + other.triangles;
-        let nodes = if triangles > LEAF_SIZE {
-            1 + self.nodes + other.nodes
-        } else {
-            0
-        };
-        Self { triangles, nodes }
-    }
 }
 
 /// All clusters that there are, by number.
-pub trait Clusters {
-    /// A cluster.
-    fn cluster(&self, id: u32) -> Cluster;
-
-    /// How much is in it.
-    fn size(&self, id: u32) -> Size;
-}
-
-/// Clusters in plain lists.
 #[derive(Clone, Copy)]
-pub struct ClusterList<'a> {
-    /// Triangles, then merges.
-    pub clusters: &'a [Cluster],
-    /// Sizes of merges.
-    pub sizes: &'a [Size],
+pub struct Clusters<'a> {
+    /// Boxes of triangles, then of merges.
+    pub boxes: &'a [PyramidBox],
+    /// What each merge holds.
+    pub merges: &'a [Content],
     /// How many triangles.
     pub triangle_count: u32,
 }
 
-impl Clusters for ClusterList<'_> {
+impl Clusters<'_> {
+    /// What is in a cluster.
     #[inline(always)]
-    fn cluster(&self, id: u32) -> Cluster {
-        crate::load(self.clusters, id, Cluster::EMPTY)
-    }
-
-    #[inline(always)]
-    fn size(&self, id: u32) -> Size {
+    #[must_use]
+    pub fn content(&self, id: u32) -> Content {
         if id < self.triangle_count {
-            Size::TRIANGLE
+            Content::TRIANGLE
         } else {
-            crate::load(self.sizes, id - self.triangle_count, Size::TRIANGLE)
+            crate::load(self.merges, id - self.triangle_count, Content::TRIANGLE)
         }
     }
-}
 
-impl Cluster {
-    /// A point, of nothing.
-    pub(crate) const EMPTY: Self = Self {
-        min: [0.0; 3],
-        left: NOTHING,
-        max: [0.0; 3],
-        right: NOTHING,
-    };
+    #[inline(always)]
+    fn bounds(&self, id: u32) -> WideBox {
+        WideBox::of_entry(id, self.boxes)
+    }
 }
 
 /// A round.
@@ -164,18 +127,11 @@ impl Round {
     }
 }
 
-/// One thread per triangle, in the order of the curve. Returns its cluster.
+/// One thread per triangle, in the order of the curve. Returns its box.
 #[inline(always)]
 #[must_use]
-pub fn triangle_cluster(i: u32, triangles: &[LeafTriangle]) -> Cluster {
-    let triangle = crate::load(triangles, i, LeafTriangle::NOTHING).triangle();
-    let bounds = triangle.bounds();
-    Cluster {
-        min: [bounds.min.x, bounds.min.y, bounds.min.z],
-        left: NOTHING,
-        max: [bounds.max.x, bounds.max.y, bounds.max.z],
-        right: NOTHING,
-    }
+pub fn triangle_box(i: u32, triangles: &[LeafTriangle]) -> PyramidBox {
+    WideBox::of_triangle(i, triangles).entry()
 }
 
 /// One thread per 32 pairs of neighbours among the clusters that are left (`active`). Returns a bit for each pair that
@@ -185,11 +141,11 @@ pub fn triangle_cluster(i: u32, triangles: &[LeafTriangle]) -> Cluster {
 /// `zero` is 0, but only at run time.
 #[inline]
 #[must_use]
-pub fn merging_pairs<C: Clusters>(
+pub fn merging_pairs(
     word: u32,
     round: Round,
     active: &[u32],
-    clusters: &C,
+    clusters: &Clusters,
     zero: u32,
 ) -> u32 {
     let first = 32 * word;
@@ -197,10 +153,10 @@ pub fn merging_pairs<C: Clusters>(
     if round.is_forced() {
         return every_second(first, pair_count);
     }
-    let mut next = clusters.cluster(crate::load(active, first, 0));
+    let mut next = clusters.bounds(crate::load(active, first, 0));
     let mut before = NO_PAIR;
     if first > 0 {
-        let last = clusters.cluster(crate::load(active, first - 1, 0));
+        let last = clusters.bounds(crate::load(active, first - 1, 0));
         before = joint_area(&last, &next, zero);
     }
     // Costs come one after the other, each from the box that the last one left. Past the end all are of no pair.
@@ -211,7 +167,7 @@ pub fn merging_pairs<C: Clusters>(
         let mut after = NO_PAIR;
         if i < pair_count {
             let last = next;
-            next = clusters.cluster(crate::load(active, i + 1, 0));
+            next = clusters.bounds(crate::load(active, i + 1, 0));
             after = joint_area(&last, &next, zero);
         }
         // `own` is the pair before i.
@@ -250,21 +206,12 @@ const fn every_second(first: u32, pair_count: u32) -> u32 {
 /// everywhere. The scene's magnitude is 1.
 const SHORTEST: f32 = f32::from_bits((127 - 60) << 23);
 
-/// Half the surface of the box around two clusters, at least that of a cube of side [`SHORTEST`].
+/// Half the surface of the box around two, at least that of a cube of side [`SHORTEST`].
 #[inline(always)]
-fn joint_area(a: &Cluster, b: &Cluster, zero: u32) -> f32 {
-    let x = max(
-        max(a.max[0], b.max[0]) - min(a.min[0], b.min[0]),
-        SHORTEST,
-    );
-    let y = max(
-        max(a.max[1], b.max[1]) - min(a.min[1], b.min[1]),
-        SHORTEST,
-    );
-    let z = max(
-        max(a.max[2], b.max[2]) - min(a.min[2], b.min[2]),
-        SHORTEST,
-    );
+fn joint_area(a: &WideBox, b: &WideBox, zero: u32) -> f32 {
+    let joint = a.union(*b);
+    let side = (joint.max - joint.min).max(Vec4::splat(SHORTEST));
+    let [x, y, z, _] = side.to_array();
     product(x, y, zero) + product(y, z, zero) + product(z, x, zero)
 }
 

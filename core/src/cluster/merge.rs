@@ -1,66 +1,80 @@
 //! Merging, with rotations (Kensler 2008, "Tree Rotations for Improving Bounding Volume Hierarchies"), each at the moment
 //! when its node is made: what is below is final then, but for the next merges.
 
-use super::{Cluster, Clusters, NOTHING, Round, Size, joint_area};
-use crate::float::{max, min};
+use super::{Clusters, Content, NOTHING, Round, joint_area};
 use crate::node::LEAF_SIZE;
+use crate::refit::{PyramidBox, WideBox};
 
-/// A cluster with its number and its size.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct Member {
-    /// The cluster.
-    pub cluster: Cluster,
-    /// How much is in it.
-    pub size: Size,
-    /// Its number, or [`NOTHING`].
-    pub id: u32,
+/// A cluster on its way.
+#[derive(Clone, Copy)]
+struct Member {
+    id: u32,
+    bounds: WideBox,
+    content: Content,
 }
 
 impl Member {
     const NOTHING: Self = Self {
-        cluster: Cluster::EMPTY,
-        size: Size::TRIANGLE,
         id: NOTHING,
+        bounds: WideBox::EMPTY,
+        content: Content::TRIANGLE,
     };
 
     #[inline(always)]
-    fn load<C: Clusters>(id: u32, clusters: &C) -> Self {
+    fn load(id: u32, clusters: &Clusters) -> Self {
         Self {
-            cluster: clusters.cluster(id),
-            size: clusters.size(id),
             id,
+            bounds: clusters.bounds(id),
+            content: clusters.content(id),
         }
     }
 
     /// Two in one, by this number.
     #[inline(always)]
     fn join(id: u32, left: &Self, right: &Self) -> Self {
-        let (a, b) = (&left.cluster, &right.cluster);
+        let triangles = left.content.triangles + right.content.triangles;
+        let nodes = if triangles > LEAF_SIZE {
+            1 + left.content.nodes + right.content.nodes
+        } else {
+            0
+        };
         Self {
-            cluster: Cluster {
-                min: [
-                    min(a.min[0], b.min[0]),
-                    min(a.min[1], b.min[1]),
-                    min(a.min[2], b.min[2]),
-                ],
-                left: left.id,
-                max: [
-                    max(a.max[0], b.max[0]),
-                    max(a.max[1], b.max[1]),
-                    max(a.max[2], b.max[2]),
-                ],
-                right: right.id,
-            },
-            size: left.size.joined(right.size),
             id,
+            bounds: left.bounds.union(right.bounds),
+            content: Content {
+                left: left.id,
+                right: right.id,
+                triangles,
+                nodes,
+            },
         }
     }
 
     #[inline(always)]
     const fn is_triangle(&self) -> bool {
-        self.size.triangles <= 1
+        self.content.triangles <= 1
     }
+
+    #[inline(always)]
+    fn made(&self) -> Made {
+        Made {
+            bounds: self.bounds.entry(),
+            content: self.content,
+            id: self.id,
+        }
+    }
+}
+
+/// A cluster to be stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Made {
+    /// Its box.
+    pub bounds: PyramidBox,
+    /// What it holds.
+    pub content: Content,
+    /// Its number, or [`NOTHING`] where there is none.
+    pub id: u32,
 }
 
 /// What a merge makes.
@@ -68,11 +82,11 @@ impl Member {
 #[repr(C)]
 pub struct Merge {
     /// The new cluster.
-    pub node: Member,
-    /// A cluster below it that is another now, if its number is not [`NOTHING`].
-    pub first: Member,
+    pub node: Made,
+    /// A cluster below it that is another now.
+    pub first: Made,
     /// One more.
-    pub second: Member,
+    pub second: Made,
 }
 
 /// One thread per pair that merges. Reads it and what is two steps below, which no other pair shares. Returns the new
@@ -83,33 +97,34 @@ pub struct Merge {
 /// before all. Below [`LEAF_SIZE`] triangles all is one leaf, and nothing changes.
 #[inline]
 #[must_use]
-pub fn merge<C: Clusters>(
+pub fn merge(
     id: u32,
     [left, right]: [u32; 2],
     round: Round,
-    clusters: &C,
+    clusters: &Clusters,
     zero: u32,
 ) -> Merge {
     let (a, b) = (Member::load(left, clusters), Member::load(right, clusters));
-    let mut made = Merge {
-        node: Member::join(id, &a, &b),
-        first: Member::NOTHING,
-        second: Member::NOTHING,
-    };
-    if made.node.size.triangles <= LEAF_SIZE {
-        return made;
+    let (mut first, mut second) = (Member::NOTHING, Member::NOTHING);
+    let mut node = Member::join(id, &a, &b);
+    if node.content.triangles <= LEAF_SIZE {
+        return Merge {
+            node: node.made(),
+            first: first.made(),
+            second: second.made(),
+        };
     }
 
     // a holds c and d, b holds e and f.
     let (mut c, mut d) = (Member::NOTHING, Member::NOTHING);
     if !a.is_triangle() {
-        c = Member::load(a.cluster.left, clusters);
-        d = Member::load(a.cluster.right, clusters);
+        c = Member::load(a.content.left, clusters);
+        d = Member::load(a.content.right, clusters);
     }
     let (mut e, mut f) = (Member::NOTHING, Member::NOTHING);
     if !b.is_triangle() {
-        e = Member::load(b.cluster.left, clusters);
-        f = Member::load(b.cluster.right, clusters);
+        e = Member::load(b.content.left, clusters);
+        f = Member::load(b.content.right, clusters);
     }
 
     // The two nodes' areas together, as they are and as they would be.
@@ -131,32 +146,36 @@ pub fn merge<C: Clusters>(
     }
 
     if choice == 1 {
-        made.first = Member::join(b.id, &a, &f);
-        made.node = Member::join(id, &e, &made.first);
+        first = Member::join(b.id, &a, &f);
+        node = Member::join(id, &e, &first);
     } else if choice == 2 {
-        made.first = Member::join(b.id, &a, &e);
-        made.node = Member::join(id, &made.first, &f);
+        first = Member::join(b.id, &a, &e);
+        node = Member::join(id, &first, &f);
     } else if choice == 3 {
-        made.first = Member::join(a.id, &d, &b);
-        made.node = Member::join(id, &c, &made.first);
+        first = Member::join(a.id, &d, &b);
+        node = Member::join(id, &c, &first);
     } else if choice == 4 {
-        made.first = Member::join(a.id, &c, &b);
-        made.node = Member::join(id, &made.first, &d);
+        first = Member::join(a.id, &c, &b);
+        node = Member::join(id, &first, &d);
     } else if choice == 5 {
-        made.first = Member::join(a.id, &c, &e);
-        made.second = Member::join(b.id, &d, &f);
-        made.node = Member::join(id, &made.first, &made.second);
+        first = Member::join(a.id, &c, &e);
+        second = Member::join(b.id, &d, &f);
+        node = Member::join(id, &first, &second);
     } else if choice == 6 {
-        made.first = Member::join(a.id, &c, &f);
-        made.second = Member::join(b.id, &d, &e);
-        made.node = Member::join(id, &made.first, &made.second);
+        first = Member::join(a.id, &c, &f);
+        second = Member::join(b.id, &d, &e);
+        node = Member::join(id, &first, &second);
     }
-    made
+    Merge {
+        node: node.made(),
+        first: first.made(),
+        second: second.made(),
+    }
 }
 
 #[inline(always)]
 fn area(a: &Member, b: &Member, zero: u32) -> f32 {
-    joint_area(&a.cluster, &b.cluster, zero)
+    joint_area(&a.bounds, &b.bounds, zero)
 }
 
 /// The lesser of two areas with its number, the first of equals.

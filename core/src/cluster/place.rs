@@ -4,7 +4,7 @@
 //! the left child as the last of them, then the right child and all below it. So where a node's run begins and how many nodes
 //! are in its parts tells where its children are.
 
-use super::{Clusters, ROUNDS, DEEPENING_ROUNDS};
+use super::{Clusters, Content, DEEPENING_ROUNDS, ROUNDS};
 use crate::node::{Node, NodeRef};
 
 /// Steps from the root to a triangle, at most.
@@ -47,14 +47,18 @@ pub struct PlacedNode {
     pub left: Place,
     /// Its right child's place.
     pub right: Place,
+    /// What the left child holds.
+    pub in_left: Content,
+    /// What the right child holds.
+    pub in_right: Content,
 }
 
 /// Reads a merge and its children's sizes. Returns its node and where the children are.
 #[inline(always)]
 #[must_use]
-pub fn open<C: Clusters>(place: Place, clusters: &C) -> PlacedNode {
-    let cluster = clusters.cluster(place.id);
-    let (left, right) = (clusters.size(cluster.left), clusters.size(cluster.right));
+pub fn open(place: Place, clusters: &Clusters) -> PlacedNode {
+    let merge = clusters.content(place.id);
+    let (left, right) = (clusters.content(merge.left), clusters.content(merge.right));
     let middle_triangle = place.first_triangle + left.triangles;
     let middle_node = place.first_node + left.nodes;
     PlacedNode {
@@ -75,14 +79,16 @@ pub fn open<C: Clusters>(place: Place, clusters: &C) -> PlacedNode {
         },
         split: middle_triangle.wrapping_sub(1),
         left: Place {
-            id: cluster.left,
+            id: merge.left,
             ..place
         },
         right: Place {
-            id: cluster.right,
+            id: merge.right,
             first_triangle: middle_triangle,
             first_node: middle_node + 1,
         },
+        in_left: left,
+        in_right: right,
     }
 }
 
@@ -90,9 +96,9 @@ pub fn open<C: Clusters>(place: Place, clusters: &C) -> PlacedNode {
 /// more than [`crate::node::LEAF_SIZE`] triangles.
 #[inline]
 #[must_use]
-pub fn node_at<C: Clusters>(i: u32, triangle_count: u32, clusters: &C) -> (Node, u32) {
+pub fn node_at(i: u32, clusters: &Clusters) -> (Node, u32) {
     let mut own = 0;
-    let mut found = open(Place::root(triangle_count), clusters);
+    let mut found = open(Place::root(clusters.triangle_count), clusters);
     for _ in 0..STEPS {
         if own == i {
             break;
@@ -113,10 +119,10 @@ pub fn node_at<C: Clusters>(i: u32, triangle_count: u32, clusters: &C) -> (Node,
 /// One thread per triangle, in leaf order. Walks from the root. Returns which it is, in the order of the curve.
 #[inline]
 #[must_use]
-pub fn triangle_at<C: Clusters>(i: u32, triangle_count: u32, clusters: &C) -> u32 {
-    let mut place = Place::root(triangle_count);
+pub fn triangle_at(i: u32, clusters: &Clusters) -> u32 {
+    let mut place = Place::root(clusters.triangle_count);
     for _ in 0..STEPS {
-        if place.id < triangle_count {
+        if place.id < clusters.triangle_count {
             break;
         }
         let found = open(place, clusters);

@@ -6,12 +6,12 @@ use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
-    Cluster, Clusters, Member, NOTHING, Place, PlacedNode, Round, Size, merge, merging_pairs, open,
-    triangle_cluster,
+    Clusters, Content, Made, NOTHING, Place, PlacedNode, Round, merge, merging_pairs, open,
+    triangle_box,
 };
 use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::node::{Connection, LEAF_SIZE};
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use slimbvh_core::refit::PyramidBox;
 
 /// Below a node with fewer triangles, no more threads are asked.
 const TASK: u32 = 8192;
@@ -19,7 +19,9 @@ const TASK: u32 = 8192;
 /// Merges triangles to a tree. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Clustering {
-    clusters: AtomicClusters,
+    boxes: Vec<PyramidBox>,
+    merges: Vec<Content>,
+    /// Clusters that are left, in order.
     active: Vec<u32>,
     next: Vec<u32>,
     merging: Selection,
@@ -28,147 +30,101 @@ pub struct Clustering {
     sorted: Vec<LeafTriangle>,
 }
 
-/// Where a cluster goes depends on data, so tasks store through relaxed atomics, each to clusters of its own: plain moves.
-#[derive(Debug, Default)]
-struct AtomicClusters {
-    clusters: Vec<[AtomicU32; 8]>,
-    sizes: Vec<[AtomicU32; 2]>,
-    triangle_count: u32,
-}
-
-impl Clusters for AtomicClusters {
-    #[inline(always)]
-    fn cluster(&self, id: u32) -> Cluster {
-        let words = &self.clusters[id as usize];
-        let word = |i: usize| words[i].load(Relaxed);
-        let number = |i: usize| f32::from_bits(word(i));
-        Cluster {
-            min: [number(0), number(1), number(2)],
-            left: word(3),
-            max: [number(4), number(5), number(6)],
-            right: word(7),
-        }
-    }
-
-    #[inline(always)]
-    fn size(&self, id: u32) -> Size {
-        if id < self.triangle_count {
-            return Size::TRIANGLE;
-        }
-        let [triangles, nodes] = &self.sizes[(id - self.triangle_count) as usize];
-        Size {
-            triangles: triangles.load(Relaxed),
-            nodes: nodes.load(Relaxed),
-        }
-    }
-}
-
-impl AtomicClusters {
-    /// Makes room for a tree over so many triangles.
-    fn resize(&mut self, triangle_count: u32) {
-        let merge_count = triangle_count.saturating_sub(1) as usize;
-        let cluster_count = triangle_count as usize + merge_count;
-        self.clusters.resize_with(cluster_count, Default::default);
-        self.sizes.resize_with(merge_count, Default::default);
-        self.triangle_count = triangle_count;
-    }
-
-    #[inline(always)]
-    fn store(words: &[AtomicU32; 8], cluster: &Cluster) {
-        let (min, max) = (cluster.min.map(f32::to_bits), cluster.max.map(f32::to_bits));
-        for (axis, place) in [0, 1, 2].into_iter().enumerate() {
-            words[place].store(min[axis], Relaxed);
-            words[place + 4].store(max[axis], Relaxed);
-        }
-        words[3].store(cluster.left, Relaxed);
-        words[7].store(cluster.right, Relaxed);
-    }
-
-    #[inline(always)]
-    fn put(&self, member: &Member) {
-        if member.id == NOTHING {
-            return;
-        }
-        Self::store(&self.clusters[member.id as usize], &member.cluster);
-        let [triangles, nodes] = &self.sizes[(member.id - self.triangle_count) as usize];
-        triangles.store(member.size.triangles, Relaxed);
-        nodes.store(member.size.nodes, Relaxed);
-    }
+/// A block of the clusters that are left, and what it makes of them.
+struct Block<'a> {
+    first: usize,
+    next: &'a mut [u32],
+    boxes: &'a mut [PyramidBox],
+    merges: &'a mut [Content],
 }
 
 impl Clustering {
     /// Merges triangles, which are in the order of the curve, to one cluster.
     pub fn merge(&mut self, triangles: &[LeafTriangle]) {
-        let triangle_count = triangles.len() as u32;
-        self.clusters.resize(triangle_count);
-        self.active.resize(triangles.len(), 0);
-        let clusters = self.clusters.clusters.par_chunks(BLOCK);
-        let blocks = clusters.zip(self.active.par_chunks_mut(BLOCK)).enumerate();
-        blocks.for_each(|(block, (clusters, active))| {
-            for ((words, active), i) in clusters.iter().zip(active).zip((block * BLOCK) as u32..) {
-                AtomicClusters::store(words, &triangle_cluster(i, triangles));
+        let count = triangles.len();
+        let merge_count = count.saturating_sub(1);
+        self.boxes.resize(count + merge_count, PyramidBox::default());
+        self.merges.resize(merge_count, Content::default());
+        self.active.resize(count, 0);
+        let boxes = self.boxes[..count].par_chunks_mut(BLOCK);
+        let blocks = boxes.zip(self.active.par_chunks_mut(BLOCK)).enumerate();
+        blocks.for_each(|(block, (boxes, active))| {
+            for ((bounds, active), i) in boxes.iter_mut().zip(active).zip((block * BLOCK) as u32..)
+            {
+                *bounds = triangle_box(i, triangles);
                 *active = i;
             }
         });
         let mut round = Round {
             index: 0,
-            count: triangle_count,
+            count: count as u32,
         };
         while round.count > 1 {
-            self.merge_round(round);
+            self.merge_round(round, count as u32);
             round.count = self.active.len() as u32;
             round.index += 1;
         }
     }
 
-    fn merge_round(&mut self, round: Round) {
-        let (clusters, active) = (&self.clusters, self.active.as_slice());
-        let merging = &mut self.merging;
+    fn merge_round(&mut self, round: Round, triangle_count: u32) {
+        // Merges are stored where none has been yet.
+        let first_merge = round.first_merge(triangle_count);
+        let (boxes, mut free_boxes) = self.boxes.split_at_mut(first_merge as usize);
+        let old_merges = (first_merge - triangle_count) as usize;
+        let (merges, mut free_merges) = self.merges.split_at_mut(old_merges);
+        let clusters = Clusters {
+            boxes,
+            merges,
+            triangle_count,
+        };
+        let (active, merging) = (self.active.as_slice(), &mut self.merging);
         let merge_count = merging.fill((round.count - 1).div_ceil(32) as usize, |word| {
-            merging_pairs(word, round, active, clusters, 0)
+            merging_pairs(word, round, active, &clusters, 0)
         });
         let (bits, before) = (merging.bits.as_slice(), merging.before.as_slice());
-        let first_merge = round.first_merge(clusters.triangle_count);
 
-        // The left one of each pair stays, so each block leaves a run.
-        self.next.resize(active.len() - merge_count, 0);
+        // The left place of each pair stays, so that a block leaves a run, and makes one.
+        let staying = active.len() - merge_count;
+        self.next.resize(staying, 0);
+        let mut next = self.next.as_mut_slice();
+        let merged_before = |i: usize| match i {
+            0 => 0,
+            _ if i >= active.len() => merge_count,
+            _ => rank(i as u32, bits, before) as usize,
+        };
         let staying_before = |i: usize| match i {
             0 => 0,
-            _ if i >= active.len() => active.len() - merge_count,
-            _ => i - rank(i as u32 - 1, bits, before) as usize,
+            _ if i >= active.len() => staying,
+            _ => i - merged_before(i - 1),
         };
-        let mut rest = self.next.as_mut_slice();
         let mut blocks = Vec::with_capacity(active.len().div_ceil(BLOCK));
         for first in (0..active.len()).step_by(BLOCK) {
-            let (run, after) =
-                rest.split_at_mut(staying_before(first + BLOCK) - staying_before(first));
-            rest = after;
-            blocks.push((first, run));
+            let end = first + BLOCK;
+            let made = merged_before(end) - merged_before(first);
+            let (run, rest) = next.split_at_mut(staying_before(end) - staying_before(first));
+            let (boxes, rest_boxes) = free_boxes.split_at_mut(made);
+            let (merges, rest_merges) = free_merges.split_at_mut(made);
+            (next, free_boxes, free_merges) = (rest, rest_boxes, rest_merges);
+            blocks.push(Block {
+                first,
+                next: run,
+                boxes,
+                merges,
+            });
         }
-        blocks.into_par_iter().for_each(|(first, run)| {
-            let mut places = run.iter_mut();
-            let mut id = first_merge + rank(first as u32, bits, before);
-            let mut is_taken = first > 0 && is_set(first as u32 - 1, bits);
-            for i in first..active.len().min(first + BLOCK) {
-                if is_taken {
-                    is_taken = false;
-                    continue;
-                }
-                is_taken = is_set(i as u32, bits);
-                let Some(place) = places.next() else { break };
-                if is_taken {
-                    let pair = [active[i], active[i + 1]];
-                    let made = merge(id, pair, round, clusters, 0);
-                    clusters.put(&made.first);
-                    clusters.put(&made.second);
-                    clusters.put(&made.node);
-                    *place = id;
-                    id += 1;
-                } else {
-                    *place = active[i];
-                }
-            }
-        });
+        let run = |block: Block| {
+            let first_id = first_merge + merged_before(block.first) as u32;
+            block.run(first_id, active, bits, |id, pair| {
+                merge(id, pair, round, &clusters, 0)
+            })
+        };
+        let changes: Vec<Vec<Made>> = blocks.into_par_iter().map(run).collect();
+
+        // What was rotated was another's to read until now.
+        for made in changes.iter().flatten() {
+            self.boxes[made.id as usize] = made.bounds;
+            self.merges[(made.id - triangle_count) as usize] = made.content;
+        }
         std::mem::swap(&mut self.active, &mut self.next);
     }
 
@@ -176,21 +132,27 @@ impl Clustering {
     /// its order.
     pub fn connect(&mut self, triangles: &mut Vec<LeafTriangle>, connections: &mut Connections) {
         let triangle_count = triangles.len() as u32;
-        debug_assert!(triangle_count > LEAF_SIZE && triangle_count == self.clusters.triangle_count);
+        debug_assert!(triangle_count > LEAF_SIZE && self.merges.len() + 1 == triangles.len());
+        let clusters = Clusters {
+            boxes: &self.boxes,
+            merges: &self.merges,
+            triangle_count,
+        };
         let root = Place::root(triangle_count);
-        let node_count = self.clusters.size(root.id).nodes as usize;
+        let content = clusters.content(root.id);
+        let node_count = content.nodes as usize;
         connections.nodes.resize(node_count, Connection::default());
         connections.splits.resize(node_count, 0);
         self.order.resize(triangles.len(), 0);
         let part = Part {
             place: root,
-            size: self.clusters.size(root.id),
+            content,
             is_left: false,
             nodes: &mut connections.nodes,
             splits: &mut connections.splits,
             order: &mut self.order,
         };
-        part.fill(&self.clusters);
+        part.fill(&clusters);
 
         self.sorted.resize(triangles.len(), LeafTriangle::default());
         let sorted = self.sorted.par_chunks_mut(BLOCK);
@@ -205,8 +167,8 @@ impl Clustering {
 
     /// Bytes of the buffers that the last build used.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.clusters.clusters.as_slice())
-            + size_of_val(self.clusters.sizes.as_slice())
+        size_of_val(self.boxes.as_slice())
+            + size_of_val(self.merges.as_slice())
             + 2 * size_of_val(self.order.as_slice())
             + self.merging.bytes()
             + size_of_val(self.order.as_slice())
@@ -214,10 +176,47 @@ impl Clustering {
     }
 }
 
+impl Block<'_> {
+    /// Merges its pairs. Returns what is to be stored anew.
+    fn run(
+        self,
+        first_id: u32,
+        active: &[u32],
+        bits: &[u32],
+        merge: impl Fn(u32, [u32; 2]) -> slimbvh_core::cluster::Merge,
+    ) -> Vec<Made> {
+        let mut changes = Vec::new();
+        let mut next = self.next.iter_mut();
+        let mut made = self.boxes.iter_mut().zip(self.merges).zip(first_id..);
+        // A pair that began in the block before has taken its right one.
+        let mut i = self.first + usize::from(self.first > 0 && is_set(self.first as u32 - 1, bits));
+        while i < active.len().min(self.first + BLOCK) {
+            let Some(place) = next.next() else { break };
+            if !is_set(i as u32, bits) {
+                *place = active[i];
+                i += 1;
+                continue;
+            }
+            let Some(((bounds, content), id)) = made.next() else { break };
+            let merge = merge(id, [active[i], active[i + 1]]);
+            (*bounds, *content) = (merge.node.bounds, merge.node.content);
+            if merge.first.id != NOTHING {
+                changes.push(merge.first);
+                if merge.second.id != NOTHING {
+                    changes.push(merge.second);
+                }
+            }
+            *place = id;
+            i += 2;
+        }
+        changes
+    }
+}
+
 /// A cluster in its place, and the parts of the lists that it fills.
 struct Part<'a> {
     place: Place,
-    size: Size,
+    content: Content,
     is_left: bool,
     nodes: &'a mut [Connection],
     splits: &'a mut [u32],
@@ -226,34 +225,31 @@ struct Part<'a> {
 
 impl Part<'_> {
     /// Stores it and all below.
-    fn fill(self, clusters: &AtomicClusters) {
-        if let [order] = self.order {
-            *order = self.place.id;
+    fn fill(self, clusters: &Clusters) {
+        if self.content.nodes == 0 {
+            fill_leaf(self.place.id, self.content, self.order, clusters);
             return;
         }
+        let placed = open(self.place, clusters);
+        // A left child comes after all that is below it, any other node before.
+        let own = if self.is_left { self.nodes.len() - 1 } else { 0 };
+        self.nodes[own] = Connection::from(&placed.node);
+        self.splits[own] = placed.split;
+        let below = usize::from(!self.is_left)..self.nodes.len() - usize::from(self.is_left);
         let PlacedNode {
-            node,
-            split,
             left,
             right,
-        } = open(self.place, clusters);
-        let (mut nodes, mut splits) = (self.nodes, self.splits);
-
-        // A left child comes after all that is below it, any other node before.
-        if self.size.nodes > 0 {
-            let own = if self.is_left { nodes.len() - 1 } else { 0 };
-            nodes[own] = Connection::from(&node);
-            splits[own] = split;
-            let below = usize::from(!self.is_left)..nodes.len() - usize::from(self.is_left);
-            (nodes, splits) = (&mut nodes[below.clone()], &mut splits[below]);
-        }
-        let (left_size, right_size) = (clusters.size(left.id), clusters.size(right.id));
-        let (left_nodes, right_nodes) = nodes.split_at_mut(left_size.nodes as usize);
-        let (left_splits, right_splits) = splits.split_at_mut(left_size.nodes as usize);
-        let (left_order, right_order) = self.order.split_at_mut(left_size.triangles as usize);
+            in_left,
+            in_right,
+            ..
+        } = placed;
+        let left_count = in_left.nodes as usize;
+        let (left_nodes, right_nodes) = self.nodes[below.clone()].split_at_mut(left_count);
+        let (left_splits, right_splits) = self.splits[below].split_at_mut(left_count);
+        let (left_order, right_order) = self.order.split_at_mut(in_left.triangles as usize);
         let left = Part {
             place: left,
-            size: left_size,
+            content: in_left,
             is_left: true,
             nodes: left_nodes,
             splits: left_splits,
@@ -261,17 +257,29 @@ impl Part<'_> {
         };
         let right = Part {
             place: right,
-            size: right_size,
+            content: in_right,
             is_left: false,
             nodes: right_nodes,
             splits: right_splits,
             order: right_order,
         };
-        if self.size.triangles < TASK {
+        if self.content.triangles < TASK {
             left.fill(clusters);
             right.fill(clusters);
         } else {
             rayon::join(|| left.fill(clusters), || right.fill(clusters));
         }
     }
+}
+
+/// The triangles of a leaf, in order.
+fn fill_leaf(id: u32, content: Content, order: &mut [u32], clusters: &Clusters) {
+    if let [only] = order {
+        *only = id;
+        return;
+    }
+    let (left, right) = (clusters.content(content.left), clusters.content(content.right));
+    let (left_order, right_order) = order.split_at_mut(left.triangles as usize);
+    fill_leaf(content.left, left, left_order, clusters);
+    fill_leaf(content.right, right, right_order, clusters);
 }
