@@ -94,6 +94,15 @@ impl Clusters<'_> {
     }
 }
 
+/// The clusters that are left, in order.
+#[derive(Clone, Copy)]
+pub struct Active<'a> {
+    /// Their numbers.
+    pub ids: &'a [u32],
+    /// Their boxes: what is looked at in each round, one after the other.
+    pub boxes: &'a [PyramidBox],
+}
+
 /// A round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Round {
@@ -134,7 +143,7 @@ pub fn triangle_box(i: u32, triangles: &[LeafTriangle]) -> PyramidBox {
     WideBox::of_triangle(i, triangles).entry()
 }
 
-/// One thread per 32 pairs of neighbours among the clusters that are left (`active`). Returns a bit for each pair that
+/// One thread per 32 pairs of neighbours among the clusters that are left. Reads their boxes. Returns a bit for each pair that
 /// merges: the clusters `32·word + bit` and the next, if their cost is below that of both pairs that share one with them.
 /// Of equal costs, that of a pair that begins at an even place counts as lower, so that a row of them merges in one round.
 ///
@@ -144,8 +153,7 @@ pub fn triangle_box(i: u32, triangles: &[LeafTriangle]) -> PyramidBox {
 pub fn merging_pairs(
     word: u32,
     round: Round,
-    active: &[u32],
-    clusters: &Clusters,
+    boxes: &[PyramidBox],
     zero: u32,
 ) -> u32 {
     let first = 32 * word;
@@ -153,10 +161,10 @@ pub fn merging_pairs(
     if round.is_forced() {
         return every_second(first, pair_count);
     }
-    let mut next = clusters.bounds(crate::load(active, first, 0));
+    let mut next = WideBox::of_entry(first, boxes);
     let mut before = NO_PAIR;
     if first > 0 {
-        let last = clusters.bounds(crate::load(active, first - 1, 0));
+        let last = WideBox::of_entry(first - 1, boxes);
         before = joint_area(&last, &next, zero);
     }
     // Costs come one after the other, each from the box that the last one left. Past the end all are of no pair.
@@ -167,7 +175,7 @@ pub fn merging_pairs(
         let mut after = NO_PAIR;
         if i < pair_count {
             let last = next;
-            next = clusters.bounds(crate::load(active, i + 1, 0));
+            next = WideBox::of_entry(i + 1, boxes);
             after = joint_area(&last, &next, zero);
         }
         // `own` is the pair before i.

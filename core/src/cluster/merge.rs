@@ -1,7 +1,7 @@
 //! Merging, with rotations (Kensler 2008, "Tree Rotations for Improving Bounding Volume Hierarchies"), each at the moment
 //! when its node is made: what is below is final then, but for the next merges.
 
-use super::{Clusters, Content, NOTHING, Round, joint_area};
+use super::{Active, Clusters, Content, NOTHING, Round, joint_area};
 use crate::node::LEAF_SIZE;
 use crate::refit::{PyramidBox, WideBox};
 
@@ -25,6 +25,16 @@ impl Member {
         Self {
             id,
             bounds: clusters.bounds(id),
+            content: clusters.content(id),
+        }
+    }
+
+    #[inline(always)]
+    fn of_active(i: u32, active: &Active, clusters: &Clusters) -> Self {
+        let id = crate::load(active.ids, i, 0);
+        Self {
+            id,
+            bounds: WideBox::of_entry(i, active.boxes),
             content: clusters.content(id),
         }
     }
@@ -89,8 +99,8 @@ pub struct Merge {
     pub second: Made,
 }
 
-/// One thread per pair that merges. Reads it and what is two steps below, which no other pair shares. Returns the new
-/// cluster, with the number `id`, and up to two below it to be stored anew.
+/// One thread per pair that merges: the clusters at `i` and after it. Reads them and what is two steps below, which no other
+/// pair shares. Returns the new cluster, with the number `id`, and up to two below it to be stored anew.
 ///
 /// Where both are one, nodes and triangles may change places: a child with one of the other's children, or one child of each.
 /// Of all these the tree is taken whose nodes have the least area together, the first of equals, and that without any change
@@ -98,13 +108,14 @@ pub struct Merge {
 #[inline]
 #[must_use]
 pub fn merge(
+    i: u32,
     id: u32,
-    [left, right]: [u32; 2],
     round: Round,
-    clusters: &Clusters,
+    (active, clusters): (&Active, &Clusters),
     zero: u32,
 ) -> Merge {
-    let (a, b) = (Member::load(left, clusters), Member::load(right, clusters));
+    let a = Member::of_active(i, active, clusters);
+    let b = Member::of_active(i + 1, active, clusters);
     let (mut first, mut second) = (Member::NOTHING, Member::NOTHING);
     let mut node = Member::join(id, &a, &b);
     if node.content.triangles <= LEAF_SIZE {

@@ -6,7 +6,7 @@ use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
-    Clusters, Content, Made, NOTHING, Place, PlacedNode, Round, merge, merging_pairs, open,
+    Active, Clusters, Content, Made, Merge, NOTHING, Place, PlacedNode, Round, merge, merging_pairs, open,
     triangle_box,
 };
 use slimbvh_core::compact::{is_set, rank};
@@ -21,19 +21,44 @@ const TASK: u32 = 8192;
 pub struct Clustering {
     boxes: Vec<PyramidBox>,
     merges: Vec<Content>,
-    /// Clusters that are left, in order.
-    active: Vec<u32>,
-    next: Vec<u32>,
+    active: Left,
+    next: Left,
     merging: Selection,
     /// By place in the tree: which triangle, in the order of the curve.
     order: Vec<u32>,
     sorted: Vec<LeafTriangle>,
 }
 
+/// Clusters that are left, in order.
+#[derive(Debug, Default)]
+struct Left {
+    ids: Vec<u32>,
+    boxes: Vec<PyramidBox>,
+}
+
+impl Left {
+    fn resize(&mut self, count: usize) {
+        self.ids.resize(count, 0);
+        self.boxes.resize(count, PyramidBox::default());
+    }
+
+    fn as_slices(&self) -> Active<'_> {
+        Active {
+            ids: &self.ids,
+            boxes: &self.boxes,
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<u32>() * self.ids.capacity() + size_of::<PyramidBox>() * self.boxes.capacity()
+    }
+}
+
 /// A block of the clusters that are left, and what it makes of them.
 struct Block<'a> {
     first: usize,
-    next: &'a mut [u32],
+    next_ids: &'a mut [u32],
+    next_boxes: &'a mut [PyramidBox],
     boxes: &'a mut [PyramidBox],
     merges: &'a mut [Content],
 }
@@ -45,14 +70,16 @@ impl Clustering {
         let merge_count = count.saturating_sub(1);
         self.boxes.resize(count + merge_count, PyramidBox::default());
         self.merges.resize(merge_count, Content::default());
-        self.active.resize(count, 0);
+        self.active.resize(count);
         let boxes = self.boxes[..count].par_chunks_mut(BLOCK);
-        let blocks = boxes.zip(self.active.par_chunks_mut(BLOCK)).enumerate();
-        blocks.for_each(|(block, (boxes, active))| {
-            for ((bounds, active), i) in boxes.iter_mut().zip(active).zip((block * BLOCK) as u32..)
-            {
+        let active = self.active.ids.par_chunks_mut(BLOCK);
+        let active = active.zip(self.active.boxes.par_chunks_mut(BLOCK));
+        let blocks = boxes.zip(active).enumerate();
+        blocks.for_each(|(block, (boxes, (ids, active)))| {
+            let places = boxes.iter_mut().zip(active).zip(ids);
+            for (((bounds, active), id), i) in places.zip((block * BLOCK) as u32..) {
                 *bounds = triangle_box(i, triangles);
-                *active = i;
+                (*active, *id) = (*bounds, i);
             }
         });
         let mut round = Round {
@@ -61,7 +88,7 @@ impl Clustering {
         };
         while round.count > 1 {
             self.merge_round(round, count as u32);
-            round.count = self.active.len() as u32;
+            round.count = self.active.ids.len() as u32;
             round.index += 1;
         }
     }
@@ -77,45 +104,51 @@ impl Clustering {
             merges,
             triangle_count,
         };
-        let (active, merging) = (self.active.as_slice(), &mut self.merging);
+        let (active, merging) = (self.active.as_slices(), &mut self.merging);
+        let count = round.count as usize;
         let merge_count = merging.fill((round.count - 1).div_ceil(32) as usize, |word| {
-            merging_pairs(word, round, active, &clusters, 0)
+            merging_pairs(word, round, active.boxes, 0)
         });
         let (bits, before) = (merging.bits.as_slice(), merging.before.as_slice());
 
         // The left place of each pair stays, so that a block leaves a run, and makes one.
-        let staying = active.len() - merge_count;
-        self.next.resize(staying, 0);
-        let mut next = self.next.as_mut_slice();
+        let staying = count - merge_count;
+        self.next.resize(staying);
+        let mut next_ids = self.next.ids.as_mut_slice();
+        let mut next_boxes = self.next.boxes.as_mut_slice();
         let merged_before = |i: usize| match i {
             0 => 0,
-            _ if i >= active.len() => merge_count,
+            _ if i >= count => merge_count,
             _ => rank(i as u32, bits, before) as usize,
         };
         let staying_before = |i: usize| match i {
             0 => 0,
-            _ if i >= active.len() => staying,
+            _ if i >= count => staying,
             _ => i - merged_before(i - 1),
         };
-        let mut blocks = Vec::with_capacity(active.len().div_ceil(BLOCK));
-        for first in (0..active.len()).step_by(BLOCK) {
+        let mut blocks = Vec::with_capacity(count.div_ceil(BLOCK));
+        for first in (0..count).step_by(BLOCK) {
             let end = first + BLOCK;
             let made = merged_before(end) - merged_before(first);
-            let (run, rest) = next.split_at_mut(staying_before(end) - staying_before(first));
+            let stays = staying_before(end) - staying_before(first);
+            let (block_ids, rest_ids) = next_ids.split_at_mut(stays);
+            let (block_boxes, rest_next) = next_boxes.split_at_mut(stays);
+            (next_ids, next_boxes) = (rest_ids, rest_next);
             let (boxes, rest_boxes) = free_boxes.split_at_mut(made);
             let (merges, rest_merges) = free_merges.split_at_mut(made);
-            (next, free_boxes, free_merges) = (rest, rest_boxes, rest_merges);
+            (free_boxes, free_merges) = (rest_boxes, rest_merges);
             blocks.push(Block {
                 first,
-                next: run,
+                next_ids: block_ids,
+                next_boxes: block_boxes,
                 boxes,
                 merges,
             });
         }
         let run = |block: Block| {
             let first_id = first_merge + merged_before(block.first) as u32;
-            block.run(first_id, active, bits, |id, pair| {
-                merge(id, pair, round, &clusters, 0)
+            block.run(first_id, &active, bits, |i, id| {
+                merge(i, id, round, (&active, &clusters), 0)
             })
         };
         let changes: Vec<Vec<Made>> = blocks.into_par_iter().map(run).collect();
@@ -169,7 +202,8 @@ impl Clustering {
     pub fn bytes(&self) -> usize {
         size_of_val(self.boxes.as_slice())
             + size_of_val(self.merges.as_slice())
-            + 2 * size_of_val(self.order.as_slice())
+            + self.active.bytes()
+            + self.next.bytes()
             + self.merging.bytes()
             + size_of_val(self.order.as_slice())
             + size_of_val(self.sorted.as_slice())
@@ -181,24 +215,24 @@ impl Block<'_> {
     fn run(
         self,
         first_id: u32,
-        active: &[u32],
+        active: &Active,
         bits: &[u32],
-        merge: impl Fn(u32, [u32; 2]) -> slimbvh_core::cluster::Merge,
+        merge: impl Fn(u32, u32) -> Merge,
     ) -> Vec<Made> {
         let mut changes = Vec::new();
-        let mut next = self.next.iter_mut();
+        let mut next = self.next_ids.iter_mut().zip(self.next_boxes);
         let mut made = self.boxes.iter_mut().zip(self.merges).zip(first_id..);
         // A pair that began in the block before has taken its right one.
         let mut i = self.first + usize::from(self.first > 0 && is_set(self.first as u32 - 1, bits));
-        while i < active.len().min(self.first + BLOCK) {
-            let Some(place) = next.next() else { break };
+        while i < active.ids.len().min(self.first + BLOCK) {
+            let Some((next_id, next_box)) = next.next() else { break };
             if !is_set(i as u32, bits) {
-                *place = active[i];
+                (*next_id, *next_box) = (active.ids[i], active.boxes[i]);
                 i += 1;
                 continue;
             }
             let Some(((bounds, content), id)) = made.next() else { break };
-            let merge = merge(id, [active[i], active[i + 1]]);
+            let merge = merge(i as u32, id);
             (*bounds, *content) = (merge.node.bounds, merge.node.content);
             if merge.first.id != NOTHING {
                 changes.push(merge.first);
@@ -206,7 +240,7 @@ impl Block<'_> {
                     changes.push(merge.second);
                 }
             }
-            *place = id;
+            (*next_id, *next_box) = (id, merge.node.bounds);
             i += 2;
         }
         changes
