@@ -18,7 +18,7 @@
 mod merge;
 mod place;
 
-pub use merge::{Made, Merge, merge};
+pub use merge::{Change, Merge, merge};
 pub use place::{Place, PlacedNode, node_at, open, triangle_at};
 
 use crate::node::LEAF_SIZE;
@@ -39,58 +39,101 @@ const _: () = assert!(crate::MAX_TRIANGLES.ilog2() <= ROUNDS);
 /// No cluster.
 pub const NOTHING: u32 = u32::MAX;
 
-/// What a merge holds. 16 bytes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
-#[repr(C)]
-pub struct Content {
-    /// Bytes 0–3: the first of two clusters.
+/// Two clusters in one, with both boxes side by side as in a node. 64 bytes, one cache line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C, align(64))]
+pub struct Merged {
+    /// Bytes 0–11: the first one's smallest coordinates.
+    pub left_min: [f32; 3],
+    /// Bytes 12–15: its number.
     pub left: u32,
-    /// Bytes 4–7: the second.
+    /// Bytes 16–27: its largest coordinates.
+    pub left_max: [f32; 3],
+    /// Bytes 28–31: the second one's number.
     pub right: u32,
-    /// Bytes 8–11: how many triangles.
+    /// Bytes 32–43: its smallest coordinates.
+    pub right_min: [f32; 3],
+    /// Bytes 44–47: how many triangles are in both.
     pub triangles: u32,
-    /// Bytes 12–15: how many nodes with more than [`LEAF_SIZE`] triangles, itself among them.
+    /// Bytes 48–59: the second one's largest coordinates.
+    pub right_max: [f32; 3],
+    /// Bytes 60–63: how many nodes with more than [`LEAF_SIZE`] triangles are in both, their own among them.
     pub nodes: u32,
 }
 
-const _: () = assert!(size_of::<Content>() == 16);
+const _: () = assert!(size_of::<Merged>() == 64);
 
-impl Content {
-    /// A triangle.
-    pub const TRIANGLE: Self = Self {
-        left: NOTHING,
-        right: NOTHING,
+/// How much is in a cluster.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C)]
+pub struct Size {
+    /// Triangles.
+    pub triangles: u32,
+    /// Nodes with more than [`LEAF_SIZE`] triangles, its own among them.
+    pub nodes: u32,
+}
+
+impl Size {
+    /// A triangle's.
+    const TRIANGLE: Self = Self {
         triangles: 1,
         nodes: 0,
     };
 }
 
-/// All clusters that there are, by number.
+/// All merges that there are. Their numbers follow those of the triangles.
 #[derive(Clone, Copy)]
-pub struct Clusters<'a> {
-    /// Boxes of triangles, then of merges.
-    pub boxes: &'a [PyramidBox],
-    /// What each merge holds.
-    pub merges: &'a [Content],
+pub struct Merges<'a> {
+    /// The merges.
+    pub merges: &'a [Merged],
     /// How many triangles.
     pub triangle_count: u32,
 }
 
-impl Clusters<'_> {
-    /// What is in a cluster.
+impl Merges<'_> {
+    /// How much is in a cluster.
     #[inline(always)]
     #[must_use]
-    pub fn content(&self, id: u32) -> Content {
+    pub fn size(&self, id: u32) -> Size {
         if id < self.triangle_count {
-            Content::TRIANGLE
+            Size::TRIANGLE
         } else {
-            crate::load(self.merges, id - self.triangle_count, Content::TRIANGLE)
+            self.merged(id).size()
         }
     }
 
+    /// A cluster that is no triangle.
     #[inline(always)]
-    fn bounds(&self, id: u32) -> WideBox {
-        WideBox::of_entry(id, self.boxes)
+    #[must_use]
+    pub fn merged(&self, id: u32) -> Merged {
+        crate::load(
+            self.merges,
+            id.wrapping_sub(self.triangle_count),
+            Merged::NOTHING,
+        )
+    }
+}
+
+impl Merged {
+    const NOTHING: Self = Self {
+        left_min: [0.0; 3],
+        left: 0,
+        left_max: [0.0; 3],
+        right: 0,
+        right_min: [0.0; 3],
+        triangles: 1,
+        right_max: [0.0; 3],
+        nodes: 0,
+    };
+
+    /// How much is in it.
+    #[inline(always)]
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        Size {
+            triangles: self.triangles,
+            nodes: self.nodes,
+        }
     }
 }
 

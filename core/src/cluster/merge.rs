@@ -1,90 +1,96 @@
 //! Merging, with rotations (Kensler 2008, "Tree Rotations for Improving Bounding Volume Hierarchies"), each at the moment
 //! when its node is made: what is below is final then, but for the next merges.
 
-use super::{Active, Clusters, Content, NOTHING, Round, joint_area};
+use super::{Active, Merged, Merges, NOTHING, Round, Size, joint_area};
 use crate::node::LEAF_SIZE;
 use crate::refit::{PyramidBox, WideBox};
+use glam::Vec4;
 
-/// A cluster on its way.
+/// A cluster on its way. What a triangle holds means nothing.
 #[derive(Clone, Copy)]
 struct Member {
     id: u32,
     bounds: WideBox,
-    content: Content,
+    size: Size,
 }
 
 impl Member {
     const NOTHING: Self = Self {
         id: NOTHING,
         bounds: WideBox::EMPTY,
-        content: Content::TRIANGLE,
+        size: Size::TRIANGLE,
     };
 
     #[inline(always)]
-    fn load(id: u32, clusters: &Clusters) -> Self {
+    const fn new(id: u32, min: [f32; 3], max: [f32; 3]) -> Self {
         Self {
             id,
-            bounds: clusters.bounds(id),
-            content: clusters.content(id),
-        }
-    }
-
-    #[inline(always)]
-    fn of_active(i: u32, active: &Active, clusters: &Clusters) -> Self {
-        let id = crate::load(active.ids, i, 0);
-        Self {
-            id,
-            bounds: WideBox::of_entry(i, active.boxes),
-            content: clusters.content(id),
-        }
-    }
-
-    /// Two in one, by this number.
-    #[inline(always)]
-    fn join(id: u32, left: &Self, right: &Self) -> Self {
-        let triangles = left.content.triangles + right.content.triangles;
-        let nodes = if triangles > LEAF_SIZE {
-            1 + left.content.nodes + right.content.nodes
-        } else {
-            0
-        };
-        Self {
-            id,
-            bounds: left.bounds.union(right.bounds),
-            content: Content {
-                left: left.id,
-                right: right.id,
-                triangles,
-                nodes,
+            bounds: WideBox {
+                min: Vec4::new(min[0], min[1], min[2], 0.0),
+                max: Vec4::new(max[0], max[1], max[2], 0.0),
             },
+            size: Size::TRIANGLE,
         }
     }
 
+    /// With its size, where that is not known.
     #[inline(always)]
-    const fn is_triangle(&self) -> bool {
-        self.content.triangles <= 1
-    }
-
-    #[inline(always)]
-    fn made(&self) -> Made {
-        Made {
-            bounds: self.bounds.entry(),
-            content: self.content,
-            id: self.id,
+    fn sized(self, merges: &Merges) -> Self {
+        Self {
+            size: merges.size(self.id),
+            ..self
         }
     }
 }
 
-/// A cluster to be stored.
+/// Two in one.
+#[inline(always)]
+fn join(left: &Member, right: &Member) -> Merged {
+    let triangles = left.size.triangles + right.size.triangles;
+    let (a, b) = (&left.bounds, &right.bounds);
+    Merged {
+        left_min: [a.min.x, a.min.y, a.min.z],
+        left: left.id,
+        left_max: [a.max.x, a.max.y, a.max.z],
+        right: right.id,
+        right_min: [b.min.x, b.min.y, b.min.z],
+        triangles,
+        right_max: [b.max.x, b.max.y, b.max.z],
+        nodes: if triangles > LEAF_SIZE {
+            1 + left.size.nodes + right.size.nodes
+        } else {
+            0
+        },
+    }
+}
+
+/// A cluster that is another now.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct Made {
-    /// Its box.
-    pub bounds: PyramidBox,
-    /// What it holds.
-    pub content: Content,
-    /// Its number, or [`NOTHING`] where there is none.
+pub struct Change {
+    /// What it is.
+    pub merged: Merged,
+    /// Its number, or [`NOTHING`] where nothing changed.
     pub id: u32,
+}
+
+impl Change {
+    const NOTHING: Self = Self {
+        merged: Merged::NOTHING,
+        id: NOTHING,
+    };
+
+    /// Makes a cluster of two others. Returns it as a part of the next.
+    #[inline(always)]
+    fn make(&mut self, id: u32, left: &Member, right: &Member) -> Member {
+        self.merged = join(left, right);
+        self.id = id;
+        Member {
+            id,
+            bounds: left.bounds.union(right.bounds),
+            size: self.merged.size(),
+        }
+    }
 }
 
 /// What a merge makes.
@@ -92,96 +98,109 @@ pub struct Made {
 #[repr(C)]
 pub struct Merge {
     /// The new cluster.
-    pub node: Made,
+    pub node: Merged,
+    /// Its box.
+    pub bounds: PyramidBox,
     /// A cluster below it that is another now.
-    pub first: Made,
+    pub first: Change,
     /// One more.
-    pub second: Made,
+    pub second: Change,
 }
 
-/// One thread per pair that merges: the clusters at `i` and after it. Reads them and what is two steps below, which no other
-/// pair shares. Returns the new cluster, with the number `id`, and up to two below it to be stored anew.
+/// One thread per pair that merges: the clusters at `i` and after it. Reads them and what they hold, which no other pair
+/// shares. Returns the new cluster, and up to two below it to be stored anew.
 ///
-/// Where both are one, nodes and triangles may change places: a child with one of the other's children, or one child of each.
-/// Of all these the tree is taken whose nodes have the least area together, the first of equals, and that without any change
-/// before all. Below [`LEAF_SIZE`] triangles all is one leaf, and nothing changes.
+/// Where both are merges, nodes and triangles may change places: a child with one of the other's children, or one child of
+/// each. Of all these the tree is taken whose nodes have the least area together, the first of equals, and that without any
+/// change before all. Up to [`LEAF_SIZE`] triangles all is one leaf, and nothing changes.
 #[inline]
 #[must_use]
-pub fn merge(
-    i: u32,
-    id: u32,
-    round: Round,
-    (active, clusters): (&Active, &Clusters),
-    zero: u32,
-) -> Merge {
-    let a = Member::of_active(i, active, clusters);
-    let b = Member::of_active(i + 1, active, clusters);
-    let (mut first, mut second) = (Member::NOTHING, Member::NOTHING);
-    let mut node = Member::join(id, &a, &b);
-    if node.content.triangles <= LEAF_SIZE {
-        return Merge {
-            node: node.made(),
-            first: first.made(),
-            second: second.made(),
-        };
-    }
+pub fn merge(i: u32, round: Round, active: &Active, merges: &Merges, zero: u32) -> Merge {
+    let member = |i: u32| Member {
+        id: crate::load(active.ids, i, 0),
+        bounds: WideBox::of_entry(i, active.boxes),
+        size: Size::TRIANGLE,
+    };
+    let (mut a, mut b) = (member(i), member(i + 1));
+    let bounds = a.bounds.union(b.bounds).entry();
 
     // a holds c and d, b holds e and f.
     let (mut c, mut d) = (Member::NOTHING, Member::NOTHING);
-    if !a.is_triangle() {
-        c = Member::load(a.content.left, clusters);
-        d = Member::load(a.content.right, clusters);
+    let a_is_merge = a.id >= merges.triangle_count;
+    if a_is_merge {
+        let held = merges.merged(a.id);
+        a.size = held.size();
+        c = Member::new(held.left, held.left_min, held.left_max);
+        d = Member::new(held.right, held.right_min, held.right_max);
     }
     let (mut e, mut f) = (Member::NOTHING, Member::NOTHING);
-    if !b.is_triangle() {
-        e = Member::load(b.content.left, clusters);
-        f = Member::load(b.content.right, clusters);
+    let b_is_merge = b.id >= merges.triangle_count;
+    if b_is_merge {
+        let held = merges.merged(b.id);
+        b.size = held.size();
+        e = Member::new(held.left, held.left_min, held.left_max);
+        f = Member::new(held.right, held.right_min, held.right_max);
+    }
+    let mut made = Merge {
+        node: join(&a, &b),
+        bounds,
+        first: Change::NOTHING,
+        second: Change::NOTHING,
+    };
+    if made.node.triangles <= LEAF_SIZE {
+        return made;
     }
 
     // The two nodes' areas together, as they are and as they would be.
     let (area_a, area_b) = (area(&a, &a, zero), area(&b, &b, zero));
     let (mut least, mut choice) = (area_a + area_b, 0);
-    if !b.is_triangle() && round.may_deepen() {
+    if b_is_merge && round.may_deepen() {
         (least, choice) = lesser((least, choice), (area_a + area(&a, &f, zero), 1));
         (least, choice) = lesser((least, choice), (area_a + area(&a, &e, zero), 2));
     }
-    if !a.is_triangle() && round.may_deepen() {
+    if a_is_merge && round.may_deepen() {
         (least, choice) = lesser((least, choice), (area_b + area(&d, &b, zero), 3));
         (least, choice) = lesser((least, choice), (area_b + area(&c, &b, zero), 4));
     }
-    if !a.is_triangle() && !b.is_triangle() {
+    if a_is_merge && b_is_merge {
         let crossed = area(&c, &e, zero) + area(&d, &f, zero);
         (least, choice) = lesser((least, choice), (crossed, 5));
         let crossed = area(&c, &f, zero) + area(&d, &e, zero);
         (_, choice) = lesser((least, choice), (crossed, 6));
     }
+    if choice == 0 {
+        return made;
+    }
 
+    // Only here the sizes of what they hold are needed.
+    if a_is_merge {
+        (c, d) = (c.sized(merges), d.sized(merges));
+    }
+    if b_is_merge {
+        (e, f) = (e.sized(merges), f.sized(merges));
+    }
     if choice == 1 {
-        first = Member::join(b.id, &a, &f);
-        node = Member::join(id, &e, &first);
+        let first = made.first.make(b.id, &a, &f);
+        made.node = join(&e, &first);
     } else if choice == 2 {
-        first = Member::join(b.id, &a, &e);
-        node = Member::join(id, &first, &f);
+        let first = made.first.make(b.id, &a, &e);
+        made.node = join(&first, &f);
     } else if choice == 3 {
-        first = Member::join(a.id, &d, &b);
-        node = Member::join(id, &c, &first);
+        let first = made.first.make(a.id, &d, &b);
+        made.node = join(&c, &first);
     } else if choice == 4 {
-        first = Member::join(a.id, &c, &b);
-        node = Member::join(id, &first, &d);
+        let first = made.first.make(a.id, &c, &b);
+        made.node = join(&first, &d);
     } else if choice == 5 {
-        first = Member::join(a.id, &c, &e);
-        second = Member::join(b.id, &d, &f);
-        node = Member::join(id, &first, &second);
-    } else if choice == 6 {
-        first = Member::join(a.id, &c, &f);
-        second = Member::join(b.id, &d, &e);
-        node = Member::join(id, &first, &second);
+        let first = made.first.make(a.id, &c, &e);
+        let second = made.second.make(b.id, &d, &f);
+        made.node = join(&first, &second);
+    } else {
+        let first = made.first.make(a.id, &c, &f);
+        let second = made.second.make(b.id, &d, &e);
+        made.node = join(&first, &second);
     }
-    Merge {
-        node: node.made(),
-        first: first.made(),
-        second: second.made(),
-    }
+    made
 }
 
 #[inline(always)]

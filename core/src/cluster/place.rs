@@ -4,7 +4,7 @@
 //! the left child as the last of them, then the right child and all below it. So where a node's run begins and how many nodes
 //! are in its parts tells where its children are.
 
-use super::{Clusters, Content, DEEPENING_ROUNDS, ROUNDS};
+use super::{DEEPENING_ROUNDS, Merges, ROUNDS, Size};
 use crate::node::{Node, NodeRef};
 
 /// Steps from the root to a triangle, at most.
@@ -47,18 +47,18 @@ pub struct PlacedNode {
     pub left: Place,
     /// Its right child's place.
     pub right: Place,
-    /// What the left child holds.
-    pub in_left: Content,
-    /// What the right child holds.
-    pub in_right: Content,
+    /// How much is in the left child.
+    pub in_left: Size,
+    /// How much is in the right child.
+    pub in_right: Size,
 }
 
 /// Reads a merge and its children's sizes. Returns its node and where the children are.
 #[inline(always)]
 #[must_use]
-pub fn open(place: Place, clusters: &Clusters) -> PlacedNode {
-    let merge = clusters.content(place.id);
-    let (left, right) = (clusters.content(merge.left), clusters.content(merge.right));
+pub fn open(place: Place, merges: &Merges) -> PlacedNode {
+    let merged = merges.merged(place.id);
+    let (left, right) = (merges.size(merged.left), merges.size(merged.right));
     let middle_triangle = place.first_triangle + left.triangles;
     let middle_node = place.first_node + left.nodes;
     PlacedNode {
@@ -79,11 +79,11 @@ pub fn open(place: Place, clusters: &Clusters) -> PlacedNode {
         },
         split: middle_triangle.wrapping_sub(1),
         left: Place {
-            id: merge.left,
+            id: merged.left,
             ..place
         },
         right: Place {
-            id: merge.right,
+            id: merged.right,
             first_triangle: middle_triangle,
             first_node: middle_node + 1,
         },
@@ -96,9 +96,9 @@ pub fn open(place: Place, clusters: &Clusters) -> PlacedNode {
 /// more than [`crate::node::LEAF_SIZE`] triangles.
 #[inline]
 #[must_use]
-pub fn node_at(i: u32, clusters: &Clusters) -> (Node, u32) {
+pub fn node_at(i: u32, merges: &Merges) -> (Node, u32) {
     let mut own = 0;
-    let mut found = open(Place::root(clusters.triangle_count), clusters);
+    let mut found = open(Place::root(merges.triangle_count), merges);
     for _ in 0..STEPS {
         if own == i {
             break;
@@ -111,7 +111,7 @@ pub fn node_at(i: u32, clusters: &Clusters) -> (Node, u32) {
             (middle, found.right)
         };
         own = child;
-        found = open(place, clusters);
+        found = open(place, merges);
     }
     (found.node, found.split)
 }
@@ -119,13 +119,13 @@ pub fn node_at(i: u32, clusters: &Clusters) -> (Node, u32) {
 /// One thread per triangle, in leaf order. Walks from the root. Returns which it is, in the order of the curve.
 #[inline]
 #[must_use]
-pub fn triangle_at(i: u32, clusters: &Clusters) -> u32 {
-    let mut place = Place::root(clusters.triangle_count);
+pub fn triangle_at(i: u32, merges: &Merges) -> u32 {
+    let mut place = Place::root(merges.triangle_count);
     for _ in 0..STEPS {
-        if place.id < clusters.triangle_count {
+        if place.id < merges.triangle_count {
             break;
         }
-        let found = open(place, clusters);
+        let found = open(place, merges);
         place = if i <= found.split { found.left } else { found.right };
     }
     place.id

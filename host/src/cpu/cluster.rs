@@ -6,8 +6,8 @@ use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
-    Active, Clusters, Content, Made, Merge, NOTHING, Place, PlacedNode, Round, merge, merging_pairs, open,
-    triangle_box,
+    Active, Change, Merge, Merged, Merges, NOTHING, Place, PlacedNode, Round, Size, merge,
+    merging_pairs, open, triangle_box,
 };
 use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::node::{Connection, LEAF_SIZE};
@@ -19,8 +19,7 @@ const TASK: u32 = 8192;
 /// Merges triangles to a tree. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Clustering {
-    boxes: Vec<PyramidBox>,
-    merges: Vec<Content>,
+    merges: Vec<Merged>,
     active: Left,
     next: Left,
     merging: Selection,
@@ -29,28 +28,37 @@ pub struct Clustering {
     sorted: Vec<LeafTriangle>,
 }
 
-/// Clusters that are left, in order.
+/// Clusters that are left, in order. The lists only grow.
 #[derive(Debug, Default)]
 struct Left {
     ids: Vec<u32>,
     boxes: Vec<PyramidBox>,
+    count: usize,
 }
 
 impl Left {
+    /// Makes room for as many.
     fn resize(&mut self, count: usize) {
-        self.ids.resize(count, 0);
-        self.boxes.resize(count, PyramidBox::default());
+        if count > self.ids.len() {
+            self.ids.resize(count, 0);
+            self.boxes.resize(count, PyramidBox::default());
+        }
+        self.count = count;
     }
 
     fn as_slices(&self) -> Active<'_> {
         Active {
-            ids: &self.ids,
-            boxes: &self.boxes,
+            ids: &self.ids[..self.count],
+            boxes: &self.boxes[..self.count],
         }
     }
 
+    fn as_mut_slices(&mut self) -> (&mut [u32], &mut [PyramidBox]) {
+        (&mut self.ids[..self.count], &mut self.boxes[..self.count])
+    }
+
     fn bytes(&self) -> usize {
-        size_of::<u32>() * self.ids.capacity() + size_of::<PyramidBox>() * self.boxes.capacity()
+        size_of_val(self.ids.as_slice()) + size_of_val(self.boxes.as_slice())
     }
 }
 
@@ -59,27 +67,20 @@ struct Block<'a> {
     first: usize,
     next_ids: &'a mut [u32],
     next_boxes: &'a mut [PyramidBox],
-    boxes: &'a mut [PyramidBox],
-    merges: &'a mut [Content],
+    merges: &'a mut [Merged],
 }
 
 impl Clustering {
     /// Merges triangles, which are in the order of the curve, to one cluster.
     pub fn merge(&mut self, triangles: &[LeafTriangle]) {
         let count = triangles.len();
-        let merge_count = count.saturating_sub(1);
-        self.boxes.resize(count + merge_count, PyramidBox::default());
-        self.merges.resize(merge_count, Content::default());
+        self.merges.resize(count.saturating_sub(1), Merged::default());
         self.active.resize(count);
-        let boxes = self.boxes[..count].par_chunks_mut(BLOCK);
-        let active = self.active.ids.par_chunks_mut(BLOCK);
-        let active = active.zip(self.active.boxes.par_chunks_mut(BLOCK));
-        let blocks = boxes.zip(active).enumerate();
-        blocks.for_each(|(block, (boxes, (ids, active)))| {
-            let places = boxes.iter_mut().zip(active).zip(ids);
-            for (((bounds, active), id), i) in places.zip((block * BLOCK) as u32..) {
-                *bounds = triangle_box(i, triangles);
-                (*active, *id) = (*bounds, i);
+        let (ids, boxes) = self.active.as_mut_slices();
+        let blocks = ids.par_chunks_mut(BLOCK).zip(boxes.par_chunks_mut(BLOCK));
+        blocks.enumerate().for_each(|(block, (ids, boxes))| {
+            for ((id, bounds), i) in ids.iter_mut().zip(boxes).zip((block * BLOCK) as u32..) {
+                (*id, *bounds) = (i, triangle_box(i, triangles));
             }
         });
         let mut round = Round {
@@ -88,7 +89,7 @@ impl Clustering {
         };
         while round.count > 1 {
             self.merge_round(round, count as u32);
-            round.count = self.active.ids.len() as u32;
+            round.count = self.active.count as u32;
             round.index += 1;
         }
     }
@@ -96,11 +97,9 @@ impl Clustering {
     fn merge_round(&mut self, round: Round, triangle_count: u32) {
         // Merges are stored where none has been yet.
         let first_merge = round.first_merge(triangle_count);
-        let (boxes, mut free_boxes) = self.boxes.split_at_mut(first_merge as usize);
-        let old_merges = (first_merge - triangle_count) as usize;
-        let (merges, mut free_merges) = self.merges.split_at_mut(old_merges);
-        let clusters = Clusters {
-            boxes,
+        let old = (first_merge - triangle_count) as usize;
+        let (merges, mut free) = self.merges.split_at_mut(old);
+        let merges = Merges {
             merges,
             triangle_count,
         };
@@ -114,8 +113,7 @@ impl Clustering {
         // The left place of each pair stays, so that a block leaves a run, and makes one.
         let staying = count - merge_count;
         self.next.resize(staying);
-        let mut next_ids = self.next.ids.as_mut_slice();
-        let mut next_boxes = self.next.boxes.as_mut_slice();
+        let (mut next_ids, mut next_boxes) = self.next.as_mut_slices();
         let merged_before = |i: usize| match i {
             0 => 0,
             _ if i >= count => merge_count,
@@ -132,31 +130,27 @@ impl Clustering {
             let made = merged_before(end) - merged_before(first);
             let stays = staying_before(end) - staying_before(first);
             let (block_ids, rest_ids) = next_ids.split_at_mut(stays);
-            let (block_boxes, rest_next) = next_boxes.split_at_mut(stays);
-            (next_ids, next_boxes) = (rest_ids, rest_next);
-            let (boxes, rest_boxes) = free_boxes.split_at_mut(made);
-            let (merges, rest_merges) = free_merges.split_at_mut(made);
-            (free_boxes, free_merges) = (rest_boxes, rest_merges);
+            let (block_boxes, rest_boxes) = next_boxes.split_at_mut(stays);
+            let (merges, rest) = free.split_at_mut(made);
+            (next_ids, next_boxes, free) = (rest_ids, rest_boxes, rest);
             blocks.push(Block {
                 first,
                 next_ids: block_ids,
                 next_boxes: block_boxes,
-                boxes,
                 merges,
             });
         }
         let run = |block: Block| {
             let first_id = first_merge + merged_before(block.first) as u32;
-            block.run(first_id, &active, bits, |i, id| {
-                merge(i, id, round, (&active, &clusters), 0)
+            block.run(first_id, &active, bits, |i| {
+                merge(i, round, &active, &merges, 0)
             })
         };
-        let changes: Vec<Vec<Made>> = blocks.into_par_iter().map(run).collect();
+        let changes: Vec<Vec<Change>> = blocks.into_par_iter().map(run).collect();
 
         // What was rotated was another's to read until now.
-        for made in changes.iter().flatten() {
-            self.boxes[made.id as usize] = made.bounds;
-            self.merges[(made.id - triangle_count) as usize] = made.content;
+        for change in changes.iter().flatten() {
+            self.merges[(change.id - triangle_count) as usize] = change.merged;
         }
         std::mem::swap(&mut self.active, &mut self.next);
     }
@@ -166,26 +160,25 @@ impl Clustering {
     pub fn connect(&mut self, triangles: &mut Vec<LeafTriangle>, connections: &mut Connections) {
         let triangle_count = triangles.len() as u32;
         debug_assert!(triangle_count > LEAF_SIZE && self.merges.len() + 1 == triangles.len());
-        let clusters = Clusters {
-            boxes: &self.boxes,
+        let merges = Merges {
             merges: &self.merges,
             triangle_count,
         };
         let root = Place::root(triangle_count);
-        let content = clusters.content(root.id);
-        let node_count = content.nodes as usize;
+        let size = merges.size(root.id);
+        let node_count = size.nodes as usize;
         connections.nodes.resize(node_count, Connection::default());
         connections.splits.resize(node_count, 0);
         self.order.resize(triangles.len(), 0);
         let part = Part {
             place: root,
-            content,
+            size,
             is_left: false,
             nodes: &mut connections.nodes,
             splits: &mut connections.splits,
             order: &mut self.order,
         };
-        part.fill(&clusters);
+        part.fill(&merges);
 
         self.sorted.resize(triangles.len(), LeafTriangle::default());
         let sorted = self.sorted.par_chunks_mut(BLOCK);
@@ -200,8 +193,7 @@ impl Clustering {
 
     /// Bytes of the buffers that the last build used.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.boxes.as_slice())
-            + size_of_val(self.merges.as_slice())
+        size_of_val(self.merges.as_slice())
             + self.active.bytes()
             + self.next.bytes()
             + self.merging.bytes()
@@ -217,11 +209,11 @@ impl Block<'_> {
         first_id: u32,
         active: &Active,
         bits: &[u32],
-        merge: impl Fn(u32, u32) -> Merge,
-    ) -> Vec<Made> {
+        merge: impl Fn(u32) -> Merge,
+    ) -> Vec<Change> {
         let mut changes = Vec::new();
         let mut next = self.next_ids.iter_mut().zip(self.next_boxes);
-        let mut made = self.boxes.iter_mut().zip(self.merges).zip(first_id..);
+        let mut made = self.merges.iter_mut().zip(first_id..);
         // A pair that began in the block before has taken its right one.
         let mut i = self.first + usize::from(self.first > 0 && is_set(self.first as u32 - 1, bits));
         while i < active.ids.len().min(self.first + BLOCK) {
@@ -231,16 +223,16 @@ impl Block<'_> {
                 i += 1;
                 continue;
             }
-            let Some(((bounds, content), id)) = made.next() else { break };
-            let merge = merge(i as u32, id);
-            (*bounds, *content) = (merge.node.bounds, merge.node.content);
+            let Some((node, id)) = made.next() else { break };
+            let merge = merge(i as u32);
+            *node = merge.node;
             if merge.first.id != NOTHING {
                 changes.push(merge.first);
                 if merge.second.id != NOTHING {
                     changes.push(merge.second);
                 }
             }
-            (*next_id, *next_box) = (id, merge.node.bounds);
+            (*next_id, *next_box) = (id, merge.bounds);
             i += 2;
         }
         changes
@@ -250,7 +242,7 @@ impl Block<'_> {
 /// A cluster in its place, and the parts of the lists that it fills.
 struct Part<'a> {
     place: Place,
-    content: Content,
+    size: Size,
     is_left: bool,
     nodes: &'a mut [Connection],
     splits: &'a mut [u32],
@@ -259,12 +251,12 @@ struct Part<'a> {
 
 impl Part<'_> {
     /// Stores it and all below.
-    fn fill(self, clusters: &Clusters) {
-        if self.content.nodes == 0 {
-            fill_leaf(self.place.id, self.content, self.order, clusters);
+    fn fill(self, merges: &Merges) {
+        if self.size.nodes == 0 {
+            fill_leaf(self.place.id, self.order, merges);
             return;
         }
-        let placed = open(self.place, clusters);
+        let placed = open(self.place, merges);
         // A left child comes after all that is below it, any other node before.
         let own = if self.is_left { self.nodes.len() - 1 } else { 0 };
         self.nodes[own] = Connection::from(&placed.node);
@@ -283,7 +275,7 @@ impl Part<'_> {
         let (left_order, right_order) = self.order.split_at_mut(in_left.triangles as usize);
         let left = Part {
             place: left,
-            content: in_left,
+            size: in_left,
             is_left: true,
             nodes: left_nodes,
             splits: left_splits,
@@ -291,29 +283,30 @@ impl Part<'_> {
         };
         let right = Part {
             place: right,
-            content: in_right,
+            size: in_right,
             is_left: false,
             nodes: right_nodes,
             splits: right_splits,
             order: right_order,
         };
-        if self.content.triangles < TASK {
-            left.fill(clusters);
-            right.fill(clusters);
+        if self.size.triangles < TASK {
+            left.fill(merges);
+            right.fill(merges);
         } else {
-            rayon::join(|| left.fill(clusters), || right.fill(clusters));
+            rayon::join(|| left.fill(merges), || right.fill(merges));
         }
     }
 }
 
 /// The triangles of a leaf, in order.
-fn fill_leaf(id: u32, content: Content, order: &mut [u32], clusters: &Clusters) {
+fn fill_leaf(id: u32, order: &mut [u32], merges: &Merges) {
     if let [only] = order {
         *only = id;
         return;
     }
-    let (left, right) = (clusters.content(content.left), clusters.content(content.right));
-    let (left_order, right_order) = order.split_at_mut(left.triangles as usize);
-    fill_leaf(content.left, left, left_order, clusters);
-    fill_leaf(content.right, right, right_order, clusters);
+    let Merged { left, right, .. } = merges.merged(id);
+    let left_count = merges.size(left).triangles as usize;
+    let (left_order, right_order) = order.split_at_mut(left_count);
+    fill_leaf(left, left_order, merges);
+    fill_leaf(right, right_order, merges);
 }
