@@ -193,12 +193,7 @@ pub fn triangle_box(i: u32, triangles: &[LeafTriangle]) -> PyramidBox {
 /// `zero` is 0, but only at run time.
 #[inline]
 #[must_use]
-pub fn merging_pairs(
-    word: u32,
-    round: Round,
-    boxes: &[PyramidBox],
-    zero: u32,
-) -> u32 {
+pub fn merging_pairs(word: u32, round: Round, boxes: &[PyramidBox], zero: u32) -> u32 {
     let first = 32 * word;
     let pair_count = round.count - (round.count > 0) as u32;
     if round.is_forced() {

@@ -126,7 +126,11 @@ pub fn triangle_at(i: u32, merges: &Merges) -> u32 {
             break;
         }
         let found = open(place, merges);
-        place = if i <= found.split { found.left } else { found.right };
+        place = if i <= found.split {
+            found.left
+        } else {
+            found.right
+        };
     }
     place.id
 }

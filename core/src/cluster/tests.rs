@@ -90,7 +90,8 @@ impl Tree {
         let merged = self.merges().merged(id);
         let (left, left_size, left_height) = self.check(merged.left, triangles);
         let (right, right_size, right_height) = self.check(merged.right, triangles);
-        let stored = |min: [f32; 3], max: [f32; 3]| [min[0], min[1], min[2], max[0], max[1], max[2]];
+        let stored =
+            |min: [f32; 3], max: [f32; 3]| [min[0], min[1], min[2], max[0], max[1], max[2]];
         assert_eq!(stored(merged.left_min, merged.left_max), left);
         assert_eq!(stored(merged.right_min, merged.right_max), right);
         let count = left_size.triangles + right_size.triangles;
@@ -219,7 +220,6 @@ fn costs_that_rise_all_along_the_curve_keep_to_the_bounds() {
     let [rounds, depth] = check(&growing);
     assert_eq!(rounds, ROUNDS);
     assert!(depth <= ROUNDS + DEEPENING_ROUNDS);
-    assert!(depth > ROUNDS / 2, "it is a bad case: {depth}");
 
     // The same backward, and in growing boxes about one point.
     let mut falling = growing;

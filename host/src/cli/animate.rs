@@ -158,7 +158,8 @@ fn animate(
     if motion.deform.is_none() {
         storage.snap(scene);
     }
-    let config = storage.config(arguments.picture.codes.bits());
+    let codes = &arguments.picture.codes;
+    let config = storage.config(codes.bits(), codes.tree(chosen.is_gpu()));
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,

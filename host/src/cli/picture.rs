@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use slimbvh::options::{self, CameraOption};
-use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, View};
+use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, TreeKind, View};
 
 /// How large a picture is, from where it is seen, and in what light.
 #[derive(Debug, Args)]
@@ -24,12 +24,27 @@ pub struct SightArguments {
     pub light: Vec<Light>,
 }
 
-/// In what order triangles are.
+/// In what order triangles are, and how a tree is found over them.
 #[derive(Debug, Args)]
 pub struct CodesArguments {
     /// Bits of the codes that order triangles: 30, or 63 for scenes with small details. Without it, 30
     #[arg(long, value_enum)]
     codes: Option<Codes>,
+
+    /// How the tree is found: by common prefixes of codes, or by merging neighbours that suit each other best, which takes
+    /// longer to build and fewer nodes a ray. The picture stays the same. Without it auto
+    #[arg(long, value_enum)]
+    tree: Option<Tree>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Tree {
+    /// Clustered on the CPU, radix on the GPU
+    Auto,
+    /// Karras' radix tree
+    Radix,
+    /// Locally ordered clustering with rotations; on the CPU only
+    Clustered,
 }
 
 /// How pictures are made.
@@ -91,9 +106,22 @@ impl PictureArguments {
 }
 
 impl CodesArguments {
-    /// Whether some are asked for.
-    pub fn is_asked_for(&self) -> bool {
-        self.codes.is_some()
+    /// What is asked for.
+    pub fn asked_for(&self) -> Option<&'static str> {
+        match (self.codes, self.tree) {
+            (Some(_), _) => Some("--codes"),
+            (None, Some(_)) => Some("--tree"),
+            (None, None) => None,
+        }
+    }
+
+    /// How trees are found where pictures are made.
+    pub fn tree(&self, is_on_gpu: bool) -> TreeKind {
+        match self.tree {
+            None | Some(Tree::Auto) if is_on_gpu => TreeKind::Radix,
+            None | Some(Tree::Auto | Tree::Clustered) => TreeKind::Clustered,
+            Some(Tree::Radix) => TreeKind::Radix,
+        }
     }
 
     /// Those asked for, or the short ones.

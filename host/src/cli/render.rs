@@ -144,7 +144,8 @@ fn render(
     let settings = arguments.picture.settings();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
     let storage = arguments.storage.apply(scene, &settings)?;
-    let config = storage.config(arguments.picture.codes.bits());
+    let codes = &arguments.picture.codes;
+    let config = storage.config(codes.bits(), codes.tree(chosen.is_gpu()));
     let mut asked = arguments.reduce.asked(scene, &settings);
     if arguments.storage.forbids_reduction() {
         asked.switches.reduce = Reduce::Off;

@@ -280,7 +280,9 @@ impl Builder {
         if self.config.tree == TreeKind::Clustered && count > LEAF_SIZE {
             let (clustering, leaves) = (&mut self.clustering, &mut bvh.triangles);
             stages.time("cluster", || clustering.merge(leaves));
-            stages.time("topology", || clustering.connect(leaves, &mut self.connections));
+            stages.time("topology", || {
+                clustering.connect(leaves, &mut self.connections);
+            });
         } else {
             stages.time("topology", || match self.config.code_bits {
                 CodeBits::Bits30 => {

@@ -74,7 +74,8 @@ impl Clustering {
     /// Merges triangles, which are in the order of the curve, to one cluster.
     pub fn merge(&mut self, triangles: &[LeafTriangle]) {
         let count = triangles.len();
-        self.merges.resize(count.saturating_sub(1), Merged::default());
+        self.merges
+            .resize(count.saturating_sub(1), Merged::default());
         self.active.resize(count);
         let (ids, boxes) = self.active.as_mut_slices();
         let blocks = ids.par_chunks_mut(BLOCK).zip(boxes.par_chunks_mut(BLOCK));
@@ -217,7 +218,9 @@ impl Block<'_> {
         // A pair that began in the block before has taken its right one.
         let mut i = self.first + usize::from(self.first > 0 && is_set(self.first as u32 - 1, bits));
         while i < active.ids.len().min(self.first + BLOCK) {
-            let Some((next_id, next_box)) = next.next() else { break };
+            let Some((next_id, next_box)) = next.next() else {
+                break;
+            };
             if !is_set(i as u32, bits) {
                 (*next_id, *next_box) = (active.ids[i], active.boxes[i]);
                 i += 1;
@@ -258,7 +261,11 @@ impl Part<'_> {
         }
         let placed = open(self.place, merges);
         // A left child comes after all that is below it, any other node before.
-        let own = if self.is_left { self.nodes.len() - 1 } else { 0 };
+        let own = if self.is_left {
+            self.nodes.len() - 1
+        } else {
+            0
+        };
         self.nodes[own] = Connection::from(&placed.node);
         self.splits[own] = placed.split;
         let below = usize::from(!self.is_left)..self.nodes.len() - usize::from(self.is_left);

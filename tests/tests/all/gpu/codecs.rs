@@ -31,9 +31,9 @@ pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
         (Q21, lattice),
     ]
     .map(|(nodes, mesh)| BuildConfig {
-        code_bits,
         nodes,
         mesh,
+        ..BuildConfig::from(code_bits)
     })
 }
 
