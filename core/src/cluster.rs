@@ -18,7 +18,7 @@
 mod merge;
 mod place;
 
-pub use merge::{Change, Merge, merge};
+pub use merge::{Change, Merge, Rotated, merge, rotate};
 pub use place::{Place, PlacedNode, node_at, open, triangle_at};
 
 use crate::node::LEAF_SIZE;

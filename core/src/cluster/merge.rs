@@ -33,6 +33,15 @@ impl Member {
         }
     }
 
+    #[inline(always)]
+    fn of_active(i: u32, active: &Active) -> Self {
+        Self {
+            id: crate::load(active.ids, i, 0),
+            bounds: WideBox::of_entry(i, active.boxes),
+            size: Size::TRIANGLE,
+        }
+    }
+
     /// With its size, where that is not known.
     #[inline(always)]
     fn sized(self, merges: &Merges) -> Self {
@@ -97,18 +106,74 @@ impl Change {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Merge {
-    /// The new cluster.
+    /// The new cluster, if nothing is rotated.
     pub node: Merged,
     /// Its box.
     pub bounds: PyramidBox,
+    /// How it is to be rotated ([`rotate`]), or 0.
+    pub rotation: u32,
+}
+
+/// What a rotated merge makes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Rotated {
+    /// The new cluster.
+    pub node: Merged,
     /// A cluster below it that is another now.
     pub first: Change,
     /// One more.
     pub second: Change,
 }
 
+/// Two clusters, a and b, and what they hold: c and d, e and f.
+struct Family {
+    a: Member,
+    b: Member,
+    c: Member,
+    d: Member,
+    e: Member,
+    f: Member,
+    a_is_merge: bool,
+    b_is_merge: bool,
+}
+
+impl Family {
+    #[inline(always)]
+    fn load(i: u32, active: &Active, merges: &Merges) -> Self {
+        let mut a = Member::of_active(i, active);
+        let mut b = Member::of_active(i + 1, active);
+        let (mut c, mut d) = (Member::NOTHING, Member::NOTHING);
+        let a_is_merge = a.id >= merges.triangle_count;
+        if a_is_merge {
+            let held = merges.merged(a.id);
+            a.size = held.size();
+            c = Member::new(held.left, held.left_min, held.left_max);
+            d = Member::new(held.right, held.right_min, held.right_max);
+        }
+        let (mut e, mut f) = (Member::NOTHING, Member::NOTHING);
+        let b_is_merge = b.id >= merges.triangle_count;
+        if b_is_merge {
+            let held = merges.merged(b.id);
+            b.size = held.size();
+            e = Member::new(held.left, held.left_min, held.left_max);
+            f = Member::new(held.right, held.right_min, held.right_max);
+        }
+        Self {
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            a_is_merge,
+            b_is_merge,
+        }
+    }
+}
+
 /// One thread per pair that merges: the clusters at `i` and after it. Reads them and what they hold, which no other pair
-/// shares. Returns the new cluster, and up to two below it to be stored anew.
+/// shares. Returns the new cluster, and whether it is to be rotated.
 ///
 /// Where both are merges, nodes and triangles may change places: a child with one of the other's children, or one child of
 /// each. Of all these the tree is taken whose nodes have the least area together, the first of equals, and that without any
@@ -116,91 +181,82 @@ pub struct Merge {
 #[inline]
 #[must_use]
 pub fn merge(i: u32, round: Round, active: &Active, merges: &Merges, zero: u32) -> Merge {
-    let member = |i: u32| Member {
-        id: crate::load(active.ids, i, 0),
-        bounds: WideBox::of_entry(i, active.boxes),
-        size: Size::TRIANGLE,
-    };
-    let (mut a, mut b) = (member(i), member(i + 1));
+    let Family {
+        a,
+        b,
+        c,
+        d,
+        e,
+        f,
+        a_is_merge,
+        b_is_merge,
+    } = Family::load(i, active, merges);
+    let node = join(&a, &b);
     let bounds = a.bounds.union(b.bounds).entry();
-
-    // a holds c and d, b holds e and f.
-    let (mut c, mut d) = (Member::NOTHING, Member::NOTHING);
-    let a_is_merge = a.id >= merges.triangle_count;
-    if a_is_merge {
-        let held = merges.merged(a.id);
-        a.size = held.size();
-        c = Member::new(held.left, held.left_min, held.left_max);
-        d = Member::new(held.right, held.right_min, held.right_max);
-    }
-    let (mut e, mut f) = (Member::NOTHING, Member::NOTHING);
-    let b_is_merge = b.id >= merges.triangle_count;
-    if b_is_merge {
-        let held = merges.merged(b.id);
-        b.size = held.size();
-        e = Member::new(held.left, held.left_min, held.left_max);
-        f = Member::new(held.right, held.right_min, held.right_max);
-    }
-    let mut made = Merge {
-        node: join(&a, &b),
-        bounds,
-        first: Change::NOTHING,
-        second: Change::NOTHING,
-    };
-    if made.node.triangles <= LEAF_SIZE {
-        return made;
+    if node.triangles <= LEAF_SIZE {
+        return Merge {
+            node,
+            bounds,
+            rotation: 0,
+        };
     }
 
     // The two nodes' areas together, as they are and as they would be.
     let (area_a, area_b) = (area(&a, &a, zero), area(&b, &b, zero));
-    let (mut least, mut choice) = (area_a + area_b, 0);
+    let mut best = (area_a + area_b, 0);
     if b_is_merge && round.may_deepen() {
-        (least, choice) = lesser((least, choice), (area_a + area(&a, &f, zero), 1));
-        (least, choice) = lesser((least, choice), (area_a + area(&a, &e, zero), 2));
+        best = lesser(best, (area_a + area(&a, &f, zero), 1));
+        best = lesser(best, (area_a + area(&a, &e, zero), 2));
     }
     if a_is_merge && round.may_deepen() {
-        (least, choice) = lesser((least, choice), (area_b + area(&d, &b, zero), 3));
-        (least, choice) = lesser((least, choice), (area_b + area(&c, &b, zero), 4));
+        best = lesser(best, (area_b + area(&d, &b, zero), 3));
+        best = lesser(best, (area_b + area(&c, &b, zero), 4));
     }
     if a_is_merge && b_is_merge {
-        let crossed = area(&c, &e, zero) + area(&d, &f, zero);
-        (least, choice) = lesser((least, choice), (crossed, 5));
-        let crossed = area(&c, &f, zero) + area(&d, &e, zero);
-        (_, choice) = lesser((least, choice), (crossed, 6));
+        best = lesser(best, (area(&c, &e, zero) + area(&d, &f, zero), 5));
+        best = lesser(best, (area(&c, &f, zero) + area(&d, &e, zero), 6));
     }
-    if choice == 0 {
-        return made;
+    Merge {
+        node,
+        bounds,
+        rotation: best.1,
     }
+}
 
-    // Only here the sizes of what they hold are needed.
-    if a_is_merge {
+/// One thread per merge that is to be rotated, with what [`merge`] says. Reads what that did, and the sizes of what both hold.
+/// Returns the new cluster, and one or two below it to be stored anew.
+#[inline]
+#[must_use]
+pub fn rotate(i: u32, rotation: u32, active: &Active, merges: &Merges) -> Rotated {
+    let family = Family::load(i, active, merges);
+    let (a, b) = (family.a, family.b);
+    let (mut c, mut d) = (family.c, family.d);
+    if family.a_is_merge {
         (c, d) = (c.sized(merges), d.sized(merges));
     }
-    if b_is_merge {
+    let (mut e, mut f) = (family.e, family.f);
+    if family.b_is_merge {
         (e, f) = (e.sized(merges), f.sized(merges));
     }
-    if choice == 1 {
-        let first = made.first.make(b.id, &a, &f);
-        made.node = join(&e, &first);
-    } else if choice == 2 {
-        let first = made.first.make(b.id, &a, &e);
-        made.node = join(&first, &f);
-    } else if choice == 3 {
-        let first = made.first.make(a.id, &d, &b);
-        made.node = join(&c, &first);
-    } else if choice == 4 {
-        let first = made.first.make(a.id, &c, &b);
-        made.node = join(&first, &d);
-    } else if choice == 5 {
-        let first = made.first.make(a.id, &c, &e);
-        let second = made.second.make(b.id, &d, &f);
-        made.node = join(&first, &second);
+    let (mut first, mut second) = (Change::NOTHING, Change::NOTHING);
+    let node = if rotation == 1 {
+        join(&e, &first.make(b.id, &a, &f))
+    } else if rotation == 2 {
+        join(&first.make(b.id, &a, &e), &f)
+    } else if rotation == 3 {
+        join(&c, &first.make(a.id, &d, &b))
+    } else if rotation == 4 {
+        join(&first.make(a.id, &c, &b), &d)
+    } else if rotation == 5 {
+        join(&first.make(a.id, &c, &e), &second.make(b.id, &d, &f))
     } else {
-        let first = made.first.make(a.id, &c, &f);
-        let second = made.second.make(b.id, &d, &e);
-        made.node = join(&first, &second);
+        join(&first.make(a.id, &c, &f), &second.make(b.id, &d, &e))
+    };
+    Rotated {
+        node,
+        first,
+        second,
     }
-    made
 }
 
 #[inline(always)]

@@ -42,14 +42,19 @@ impl Tree {
                     continue;
                 }
                 let made = merge(i, round, &active, &known, zero);
-                for change in [made.first, made.second] {
-                    if change.id != NOTHING {
-                        merges[(change.id - triangle_count) as usize] = change.merged;
+                let mut node = made.node;
+                if made.rotation != 0 {
+                    let rotated = rotate(i, made.rotation, &active, &known);
+                    for change in [rotated.first, rotated.second] {
+                        if change.id != NOTHING {
+                            merges[(change.id - triangle_count) as usize] = change.merged;
+                        }
                     }
+                    node = rotated.node;
                 }
                 next_ids.push(triangle_count + merges.len() as u32);
                 next_boxes.push(made.bounds);
-                merges.push(made.node);
+                merges.push(node);
                 i += 2;
             }
             assert!(next_ids.len() < ids.len(), "a round merges something");
@@ -282,7 +287,9 @@ fn a_rotation_brings_together_what_belongs_together() {
         index: DEEPENING_ROUNDS,
         count: 2,
     };
-    let made = merge(0, late, &active, &merges, 0);
+    let rotation = merge(0, late, &active, &merges, 0).rotation;
+    assert_eq!(rotation, 5);
+    let made = rotate(0, rotation, &active, &merges);
     assert_eq!([made.first.id, made.second.id], [5, 6]);
     assert_eq!([made.first.merged.left, made.first.merged.right], [0, 2]);
     assert_eq!([made.second.merged.left, made.second.merged.right], [1, 3]);

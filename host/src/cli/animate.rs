@@ -159,7 +159,13 @@ fn animate(
         storage.snap(scene);
     }
     let codes = &arguments.picture.codes;
-    let config = storage.config(codes.bits(), codes.tree(chosen.is_gpu()));
+    let samples = if chosen.is_gpu() {
+        0
+    } else {
+        arguments.picture.sample_count()
+    };
+    let tree = codes.tree(scene.mesh.indices.len(), samples);
+    let config = storage.config(codes.bits(), tree);
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,

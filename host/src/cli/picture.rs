@@ -37,9 +37,12 @@ pub struct CodesArguments {
     tree: Option<Tree>,
 }
 
+/// With fewer, a clustered tree takes longer to build than it saves rays: ARCHITECTURE.md.
+const SAMPLES_A_TRIANGLE: u64 = 4;
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Tree {
-    /// Clustered on the CPU, radix on the GPU
+    /// Clustered on the CPU where a picture has four samples or more for each triangle, else radix
     Auto,
     /// Karras' radix tree
     Radix,
@@ -83,6 +86,12 @@ enum Codes {
 }
 
 impl PictureArguments {
+    /// Samples of a picture.
+    pub fn sample_count(&self) -> u64 {
+        let [width, height] = self.sight.size;
+        u64::from(width) * u64::from(height) * u64::from(self.spp)
+    }
+
     /// How to render.
     pub fn settings(&self) -> RenderSettings {
         RenderSettings {
@@ -115,12 +124,13 @@ impl CodesArguments {
         }
     }
 
-    /// How trees are found where pictures are made.
-    pub fn tree(&self, is_on_gpu: bool) -> TreeKind {
+    /// How trees are found over so many triangles for pictures of so many samples, of which a GPU makes none.
+    pub fn tree(&self, triangle_count: usize, sample_count: u64) -> TreeKind {
+        let pays = sample_count / SAMPLES_A_TRIANGLE >= triangle_count as u64 && sample_count > 0;
         match self.tree {
-            None | Some(Tree::Auto) if is_on_gpu => TreeKind::Radix,
-            None | Some(Tree::Auto | Tree::Clustered) => TreeKind::Clustered,
-            Some(Tree::Radix) => TreeKind::Radix,
+            Some(Tree::Clustered) => TreeKind::Clustered,
+            None | Some(Tree::Auto) if pays => TreeKind::Clustered,
+            None | Some(Tree::Auto | Tree::Radix) => TreeKind::Radix,
         }
     }
 

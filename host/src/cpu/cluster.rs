@@ -6,8 +6,8 @@ use super::topology::Connections;
 use rayon::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
-    Active, Change, Merge, Merged, Merges, NOTHING, Place, PlacedNode, Round, Size, merge,
-    merging_pairs, open, triangle_box,
+    Active, Change, Merged, Merges, NOTHING, Place, PlacedNode, Round, Size, merge, merging_pairs,
+    open, rotate, triangle_box,
 };
 use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::node::{Connection, LEAF_SIZE};
@@ -143,9 +143,7 @@ impl Clustering {
         }
         let run = |block: Block| {
             let first_id = first_merge + merged_before(block.first) as u32;
-            block.run(first_id, &active, bits, |i| {
-                merge(i, round, &active, &merges, 0)
-            })
+            block.run(first_id, bits, (round, &active, &merges))
         };
         let changes: Vec<Vec<Change>> = blocks.into_par_iter().map(run).collect();
 
@@ -208,9 +206,8 @@ impl Block<'_> {
     fn run(
         self,
         first_id: u32,
-        active: &Active,
         bits: &[u32],
-        merge: impl Fn(u32) -> Merge,
+        (round, active, old): (Round, &Active, &Merges),
     ) -> Vec<Change> {
         let mut changes = Vec::new();
         let mut next = self.next_ids.iter_mut().zip(self.next_boxes);
@@ -227,12 +224,14 @@ impl Block<'_> {
                 continue;
             }
             let Some((node, id)) = made.next() else { break };
-            let merge = merge(i as u32);
+            let merge = merge(i as u32, round, active, old, 0);
             *node = merge.node;
-            if merge.first.id != NOTHING {
-                changes.push(merge.first);
-                if merge.second.id != NOTHING {
-                    changes.push(merge.second);
+            if merge.rotation != 0 {
+                let rotated = rotate(i as u32, merge.rotation, active, old);
+                *node = rotated.node;
+                changes.push(rotated.first);
+                if rotated.second.id != NOTHING {
+                    changes.push(rotated.second);
                 }
             }
             (*next_id, *next_box) = (id, merge.bounds);
