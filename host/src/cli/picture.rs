@@ -38,11 +38,11 @@ pub struct CodesArguments {
 }
 
 /// With fewer, a clustered tree takes longer to build than it saves rays: ARCHITECTURE.md.
-const SAMPLES_A_TRIANGLE: u64 = 4;
+const SAMPLES_A_TRIANGLE: u64 = 8;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Tree {
-    /// Clustered on the CPU where a picture has four samples or more for each triangle, else radix
+    /// Clustered on the CPU where a picture has eight samples or more for each triangle, else radix
     Auto,
     /// Karras' radix tree
     Radix,
