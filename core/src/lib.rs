@@ -1,7 +1,7 @@
 //! The algorithms of slimbvh, written once: plain functions of an index, small parameters and read-only slices that
 //! return what to store. They run on the CPU and, compiled to SPIR-V, on the GPU.
 //!
-//! Stages, in the order of a frame, a file each: `bounds → morton → sort → snap → topology → refit → trace → shade`.
+//! Stages, in the order of a frame, a file each: `bounds → morton → sort → snap → topology or cluster → refit → trace → shade`.
 //!
 //! Conventions: right-handed, counter-clockwise is front, t in units of the ray direction's length, angles in radians.
 #![no_std]
@@ -14,6 +14,7 @@ pub mod aabb;
 pub mod bounds;
 pub mod camera;
 pub mod classify;
+pub mod cluster;
 pub mod color;
 pub mod compact;
 pub mod decide;

@@ -20,19 +20,19 @@ pub struct PyramidBox(pub [f32; 8]);
 
 /// A box in vectors of four, the last lane unused.
 #[derive(Clone, Copy)]
-struct WideBox {
-    min: Vec4,
-    max: Vec4,
+pub(crate) struct WideBox {
+    pub(crate) min: Vec4,
+    pub(crate) max: Vec4,
 }
 
 impl WideBox {
-    const EMPTY: Self = Self {
+    pub(crate) const EMPTY: Self = Self {
         min: Vec4::splat(f32::MAX),
         max: Vec4::splat(-f32::MAX),
     };
 
     #[inline(always)]
-    fn union(self, other: Self) -> Self {
+    pub(crate) fn union(self, other: Self) -> Self {
         Self {
             min: self.min.min(other.min),
             max: self.max.max(other.max),
@@ -40,7 +40,7 @@ impl WideBox {
     }
 
     #[inline(always)]
-    fn of_triangle(i: u32, triangles: &[LeafTriangle]) -> Self {
+    pub(crate) fn of_triangle(i: u32, triangles: &[LeafTriangle]) -> Self {
         let LeafTriangle {
             vertices: v,
             primitive,
@@ -56,7 +56,7 @@ impl WideBox {
     }
 
     #[inline(always)]
-    fn of_entry(i: u32, pyramid: &[PyramidBox]) -> Self {
+    pub(crate) fn of_entry(i: u32, pyramid: &[PyramidBox]) -> Self {
         let PyramidBox(p) = crate::load(pyramid, i, PyramidBox([0.0; 8]));
         Self {
             min: Vec4::new(p[0], p[1], p[2], p[3]),
@@ -65,7 +65,7 @@ impl WideBox {
     }
 
     #[inline(always)]
-    fn entry(self) -> PyramidBox {
+    pub(crate) fn entry(self) -> PyramidBox {
         let (a, b) = (self.min, self.max);
         PyramidBox([a.x, a.y, a.z, 0.0, b.x, b.y, b.z, 0.0])
     }

@@ -33,8 +33,8 @@ mod wide;
 pub use bvh::{Bvh, TreeError};
 pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
 pub use cpu::{
-    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree, Trees,
-    Turns,
+    BuildConfig, Builder, CodeBits, Decisions, Division, RefitError, Renderer, Subset, Tree,
+    TreeKind, Trees, Turns,
 };
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};

@@ -158,7 +158,14 @@ fn animate(
     if motion.deform.is_none() {
         storage.snap(scene);
     }
-    let config = storage.config(arguments.picture.codes.bits());
+    let codes = &arguments.picture.codes;
+    let samples = if chosen.is_gpu() {
+        0
+    } else {
+        arguments.picture.sample_count()
+    };
+    let tree = codes.tree(scene.mesh.indices.len(), samples);
+    let config = storage.config(codes.bits(), tree);
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,

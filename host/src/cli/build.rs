@@ -110,7 +110,9 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
             scene.lights = lights;
         }
     }
-    let mut builder = Builder::new(storage.config(arguments.codes.bits()));
+    let codes = &arguments.codes;
+    let mut builder =
+        Builder::new(storage.config(codes.bits(), codes.tree(scene.mesh.indices.len(), u64::MAX)));
     let mut bvh = Bvh::default();
     let progress = output::spinner(format!("building {name}"));
     let stages = builder.build_into(&scene.mesh, &mut bvh)?;

@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use slimbvh::options::{self, CameraOption};
-use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, View};
+use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, TreeKind, View};
 
 /// How large a picture is, from where it is seen, and in what light.
 #[derive(Debug, Args)]
@@ -24,12 +24,30 @@ pub struct SightArguments {
     pub light: Vec<Light>,
 }
 
-/// In what order triangles are.
+/// In what order triangles are, and how a tree is found over them.
 #[derive(Debug, Args)]
 pub struct CodesArguments {
     /// Bits of the codes that order triangles: 30, or 63 for scenes with small details. Without it, 30
     #[arg(long, value_enum)]
     codes: Option<Codes>,
+
+    /// How the tree is found: by common prefixes of codes, or by merging neighbours that suit each other best, which takes
+    /// longer to build and fewer nodes a ray. The picture stays the same. Without it auto
+    #[arg(long, value_enum)]
+    tree: Option<Tree>,
+}
+
+/// With fewer, a clustered tree takes longer to build than it saves rays: ARCHITECTURE.md.
+const SAMPLES_A_TRIANGLE: u64 = 8;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Tree {
+    /// Clustered on the CPU where a picture has eight samples or more for each triangle, else radix
+    Auto,
+    /// Karras' radix tree
+    Radix,
+    /// Locally ordered clustering with rotations; on the CPU only
+    Clustered,
 }
 
 /// How pictures are made.
@@ -68,6 +86,12 @@ enum Codes {
 }
 
 impl PictureArguments {
+    /// Samples of a picture.
+    pub fn sample_count(&self) -> u64 {
+        let [width, height] = self.sight.size;
+        u64::from(width) * u64::from(height) * u64::from(self.spp)
+    }
+
     /// How to render.
     pub fn settings(&self) -> RenderSettings {
         RenderSettings {
@@ -91,9 +115,23 @@ impl PictureArguments {
 }
 
 impl CodesArguments {
-    /// Whether some are asked for.
-    pub fn is_asked_for(&self) -> bool {
-        self.codes.is_some()
+    /// What is asked for.
+    pub fn asked_for(&self) -> Option<&'static str> {
+        match (self.codes, self.tree) {
+            (Some(_), _) => Some("--codes"),
+            (None, Some(_)) => Some("--tree"),
+            (None, None) => None,
+        }
+    }
+
+    /// How trees are found over so many triangles for pictures of so many samples, of which a GPU makes none.
+    pub fn tree(&self, triangle_count: usize, sample_count: u64) -> TreeKind {
+        let pays = sample_count / SAMPLES_A_TRIANGLE >= triangle_count as u64 && sample_count > 0;
+        match self.tree {
+            Some(Tree::Clustered) => TreeKind::Clustered,
+            None | Some(Tree::Auto) if pays => TreeKind::Clustered,
+            None | Some(Tree::Auto | Tree::Radix) => TreeKind::Radix,
+        }
     }
 
     /// Those asked for, or the short ones.

@@ -144,7 +144,14 @@ fn render(
     let settings = arguments.picture.settings();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
     let storage = arguments.storage.apply(scene, &settings)?;
-    let config = storage.config(arguments.picture.codes.bits());
+    let codes = &arguments.picture.codes;
+    let samples = if chosen.is_gpu() {
+        0
+    } else {
+        arguments.picture.sample_count()
+    };
+    let tree = codes.tree(scene.mesh.indices.len(), samples);
+    let config = storage.config(codes.bits(), tree);
     let mut asked = arguments.reduce.asked(scene, &settings);
     if arguments.storage.forbids_reduction() {
         asked.switches.reduce = Reduce::Off;

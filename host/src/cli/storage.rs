@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use slimbvh::options;
 use slimbvh::{
     BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene,
-    Tolerance,
+    Tolerance, TreeKind,
 };
 
 #[derive(Debug, Args)]
@@ -202,9 +202,10 @@ impl Storage {
     }
 
     /// How to build.
-    pub fn config(&self, code_bits: CodeBits) -> BuildConfig {
+    pub fn config(&self, code_bits: CodeBits, tree: TreeKind) -> BuildConfig {
         BuildConfig {
             code_bits,
+            tree,
             nodes: self.nodes,
             mesh: self.mesh,
         }

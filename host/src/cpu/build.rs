@@ -1,5 +1,6 @@
 //! Builds and refits on the CPU.
 
+use super::cluster::Clustering;
 use super::decode::decode;
 use super::encode::Encoder;
 use super::order::{Order, gather_again, scene_bounds};
@@ -10,8 +11,10 @@ use crate::{Bvh, Mesh, MeshError, Stages};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Reach;
+use slimbvh_core::cluster;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::morton::{Frame, morton_code_30, morton_code_63};
+use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
 use thiserror::Error;
@@ -26,11 +29,24 @@ pub enum CodeBits {
     Bits63,
 }
 
+/// How a tree is found over triangles in the order of the space-filling curve.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TreeKind {
+    /// A node for each common prefix of codes (Karras 2012): every node is found by itself.
+    #[default]
+    Radix,
+    /// From the leaves up, neighbours that suit each other best first, with rotations: fewer nodes to open for a ray, most
+    /// of all where triangles differ much in size.
+    Clustered,
+}
+
 /// How to build.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BuildConfig {
     /// Length of the Morton codes.
     pub code_bits: CodeBits,
+    /// How the tree is found.
+    pub tree: TreeKind,
     /// How inner nodes are stored.
     pub nodes: NodeCodec,
     /// How triangles are stored. Must go with the nodes ([`crate::check_codecs`]).
@@ -82,6 +98,7 @@ pub struct Builder {
     bounds: Option<Aabb>,
     order_30: Order<1>,
     order_63: Order<2>,
+    clustering: Clustering,
     connections: Connections,
     pyramid: Vec<PyramidBox>,
     encoder: Encoder,
@@ -259,19 +276,29 @@ impl Builder {
             }
         }
         let count = bvh.triangles.len() as u32;
-        stages.time("topology", || match self.config.code_bits {
-            CodeBits::Bits30 => {
-                let codes = bytemuck::cast_slice(&self.order_30.codes);
-                self.connections.connect(&Codes30 { codes, count });
-            }
-            CodeBits::Bits63 => {
-                let codes = &self.order_63.codes;
-                self.connections.connect(&Codes63 { codes, count });
-            }
-        });
-        bvh.depth_bound = match self.config.code_bits {
-            CodeBits::Bits30 => depth_bound(30, count),
-            CodeBits::Bits63 => depth_bound(63, count),
+        // One leaf takes no merging.
+        if self.config.tree == TreeKind::Clustered && count > LEAF_SIZE {
+            let (clustering, leaves) = (&mut self.clustering, &mut bvh.triangles);
+            stages.time("cluster", || clustering.merge(leaves));
+            stages.time("topology", || {
+                clustering.connect(leaves, &mut self.connections);
+            });
+        } else {
+            stages.time("topology", || match self.config.code_bits {
+                CodeBits::Bits30 => {
+                    let codes = bytemuck::cast_slice(&self.order_30.codes);
+                    self.connections.connect(&Codes30 { codes, count });
+                }
+                CodeBits::Bits63 => {
+                    let codes = &self.order_63.codes;
+                    self.connections.connect(&Codes63 { codes, count });
+                }
+            });
+        }
+        bvh.depth_bound = match (self.config.tree, self.config.code_bits) {
+            (TreeKind::Clustered, _) => cluster::depth_bound(count),
+            (TreeKind::Radix, CodeBits::Bits30) => depth_bound(30, count),
+            (TreeKind::Radix, CodeBits::Bits63) => depth_bound(63, count),
         };
         self.fit(&mut stages, bvh);
         stages
@@ -339,6 +366,7 @@ impl Builder {
     pub fn scratch_bytes(&self) -> usize {
         self.order_30.bytes()
             + self.order_63.bytes()
+            + self.clustering.bytes()
             + self.connections.bytes()
             + size_of_val(self.pyramid.as_slice())
             + self.encoder.bytes()

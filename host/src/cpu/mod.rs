@@ -1,6 +1,7 @@
 //! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
 
 mod build;
+mod cluster;
 mod decide;
 mod decode;
 mod divide;
@@ -14,7 +15,7 @@ mod sort;
 mod topology;
 mod trees;
 
-pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset};
+pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset, TreeKind};
 pub use decide::Decisions;
 pub(crate) use decode::decode;
 pub use divide::Division;

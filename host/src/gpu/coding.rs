@@ -1,7 +1,7 @@
 //! Which codecs the GPU has, and their kernels.
 
 use super::{GpuError, Kernel};
-use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec};
+use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
 use slimbvh_core::encode::{LeafWidth, PrintedNode, PrintedTriangle, node_words};
 
 /// How nodes and triangles are stored, where that is not in full.
@@ -19,8 +19,11 @@ impl Coding {
     /// What a configuration asks for; none where everything is stored in full.
     ///
     /// # Errors
-    /// For codecs that only the CPU has.
+    /// For codecs and trees that only the CPU has.
     pub fn of(config: &BuildConfig) -> Result<Option<Self>, GpuError> {
+        if config.tree == TreeKind::Clustered {
+            return Err(GpuError::Tree);
+        }
         let is_f32 = config.mesh == MeshCodec::F32;
         Ok(match config.nodes {
             NodeCodec::F32 => None,

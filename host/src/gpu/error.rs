@@ -85,6 +85,9 @@ pub enum GpuError {
         /// How many.
         bits: u32,
     },
+    /// The GPU has no kernels for trees that are clustered.
+    #[error("clustered trees are built on the CPU only; the GPU builds radix trees")]
+    Tree,
     /// The mesh is unfit.
     #[error(transparent)]
     Mesh(#[from] MeshError),

@@ -91,9 +91,9 @@ impl Storage {
     /// Moves vertices where that must be.
     pub fn prepare(self, mesh: &Mesh, code_bits: CodeBits) -> Prepared<'_> {
         let config = |mesh| BuildConfig {
-            code_bits,
             nodes: self.nodes,
             mesh,
+            ..BuildConfig::from(code_bits)
         };
         let Triangles::Lattice { coarser } = self.triangles else {
             let codec = match self.triangles {

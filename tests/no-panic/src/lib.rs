@@ -6,6 +6,10 @@ use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::classify::{Except, Facing, Reach, Sides, is_in_set, word_of_set};
+use slimbvh_core::cluster::{
+    Active, Merge, Merges, Rotated, Round, merge, merging_pairs, node_at, rotate, triangle_at,
+    triangle_box,
+};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::decide::{
@@ -116,6 +120,26 @@ pub fn connect(
     ];
     let rank = rank(i, bits, before) ^ u32::from(is_set(i, bits));
     kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank
+}
+
+#[unsafe(no_mangle)]
+pub fn cluster(
+    i: u32,
+    round: Round,
+    active: &Active,
+    merges: &Merges,
+    triangles: &[LeafTriangle],
+    to: Out<(PyramidBox, Merge, Rotated, (Node, u32), u32)>,
+) -> u32 {
+    let merge = merge(i, round, active, merges, 0);
+    *to = (
+        triangle_box(i, triangles),
+        merge,
+        rotate(i, merge.rotation, active, merges),
+        node_at(i, merges),
+        triangle_at(i, merges),
+    );
+    merging_pairs(i, round, active.boxes, 0)
 }
 
 #[unsafe(no_mangle)]

@@ -46,9 +46,9 @@ pub fn build_and_trace(data: &[u8]) {
     let build = |config| Builder::new(config).build(&mesh);
     let plain = build(BuildConfig::from(code_bits)).expect("the mesh is sound");
     let coded = build(BuildConfig {
-        code_bits,
         nodes,
         mesh: codec,
+        ..BuildConfig::from(code_bits)
     });
     let coded = coded.expect("codecs that go together");
 

@@ -2,6 +2,7 @@
 
 mod answers;
 mod boxes;
+mod clustered;
 mod codecs;
 mod decisions;
 mod deepest_trees;

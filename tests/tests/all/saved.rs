@@ -51,7 +51,7 @@ proptest! {
         let scene = scene(&snapped);
         for (nodes, mesh) in codecs(step_exponent) {
             for code_bits in CODE_BITS {
-                let config = BuildConfig { code_bits, nodes, mesh };
+                let config = BuildConfig { nodes, mesh, ..BuildConfig::from(code_bits) };
                 let mut bvh = build_as(&snapped, config);
                 prop_assert_eq!(bvh.validate_over(&snapped), Ok(()), "{:?}", config);
                 let bytes = saved(&scene, &bvh);

@@ -82,11 +82,19 @@ const STAGES: &[Stage] = &[
         gpu: &["build/record"],
     },
     Stage {
+        name: "cluster",
+        what: "a tree from the leaves up, where one is asked for; its places (on the CPU)",
+        core: &["cluster", "cluster/merge", "cluster/place"],
+        shaders: &[],
+        cpu: &["cluster"],
+        gpu: &[],
+    },
+    Stage {
         name: "topology",
-        what: "Karras nodes that cover more than `LEAF_SIZE` triangles",
+        what: "nodes that cover more than `LEAF_SIZE` triangles, Karras' or those of `cluster`",
         core: &["topology", "node"],
         shaders: &["topology"],
-        cpu: &["topology"],
+        cpu: &["topology", "cluster"],
         gpu: &["build/record"],
     },
     Stage {

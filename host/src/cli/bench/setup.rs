@@ -4,7 +4,7 @@ mod names;
 
 use crate::cli::measure::step::{PIXELS, Step};
 use slimbvh::reduce::Reduce;
-use slimbvh::{BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, Scene};
+use slimbvh::{BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, Scene, TreeKind};
 
 /// One way to make a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +14,7 @@ pub struct Setup {
     pub nodes: NodeCodec,
     pub mesh: Triangles,
     pub codes: CodeBits,
+    pub tree: TreeKind,
     pub update: Update,
     pub threads: usize,
 }
@@ -51,6 +52,7 @@ pub enum Knob {
     Nodes,
     Mesh,
     Codes,
+    Tree,
     Update,
     Threads,
     /// Several at once.
@@ -61,7 +63,7 @@ pub enum Knob {
 const TOLERANCES: [f32; 3] = [0.1, 0.5, 2.0];
 
 impl Setup {
-    /// What `slimbvh render` does where nobody asks for anything.
+    /// What `slimbvh render` does where nobody asks for anything, with a tree that both backends build.
     pub fn usual(threads: usize) -> Self {
         Self {
             reduce: Reduce::Auto,
@@ -69,6 +71,7 @@ impl Setup {
             nodes: NodeCodec::F32,
             mesh: Triangles::Full,
             codes: CodeBits::Bits30,
+            tree: TreeKind::Radix,
             update: Update::Rebuild,
             threads,
         }
@@ -118,6 +121,8 @@ impl Setup {
         }
         let codes = CodeBits::Bits63;
         all.push((Knob::Codes, Self { codes, ..usual }));
+        let tree = TreeKind::Clustered;
+        all.push((Knob::Tree, Self { tree, ..usual }));
         let update = Update::Refit;
         all.push((Knob::Update, Self { update, ..usual }));
         let mut fewer = 1;
@@ -142,12 +147,13 @@ impl Setup {
         }
     }
 
-    /// Whether there are kernels for its codecs.
+    /// Whether there are kernels for its tree and its codecs.
     pub fn has_kernels(&self) -> bool {
-        match self.nodes {
+        let has_nodes = match self.nodes {
             NodeCodec::F32 | NodeCodec::Printed => true,
             NodeCodec::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
-        }
+        };
+        has_nodes && self.tree == TreeKind::Radix
     }
 
     /// Whether it should make the plain tree's picture, byte for byte.
@@ -164,6 +170,7 @@ impl Setup {
     pub fn config(&self, scene: &Scene) -> BuildConfig {
         BuildConfig {
             code_bits: self.codes,
+            tree: self.tree,
             nodes: self.nodes,
             mesh: match self.mesh {
                 Triangles::Full => MeshCodec::F32,
@@ -214,6 +221,7 @@ mod tests {
                 setup.nodes != usual.nodes,
                 setup.mesh != usual.mesh,
                 setup.codes != usual.codes,
+                setup.tree != usual.tree,
                 setup.update != usual.update,
                 setup.threads != usual.threads,
                 setup.lights != usual.lights,
@@ -227,8 +235,8 @@ mod tests {
             };
             assert_eq!(moved, most, "{knob:?}");
         }
-        // 1 + 2 + 1 + 8 + 5 + 1 + 1 + 2
-        assert_eq!(all.len(), 21);
-        assert_eq!(Setup::one_at_a_time(1, 1).len(), 18);
+        // 1 + 2 + 1 + 8 + 5 + 1 + 1 + 1 + 2
+        assert_eq!(all.len(), 22);
+        assert_eq!(Setup::one_at_a_time(1, 1).len(), 19);
     }
 }

@@ -12,8 +12,8 @@ use slimbvh::{Bvh, Picture, RenderSettings, Renderer, Scene, Stages};
 /// Refuses what asks for another tree before the file is read.
 pub fn check(arguments: &RenderArguments) -> Result<()> {
     let name = arguments.scene.name();
-    if arguments.picture.codes.is_asked_for() {
-        bail!("--codes is for builds; \"{name}\" is built already, leave it out");
+    if let Some(asked) = arguments.picture.codes.asked_for() {
+        bail!("{asked} is for builds; \"{name}\" is built already, leave it out");
     }
     if arguments.reduce.is_asked_for() {
         bail!(

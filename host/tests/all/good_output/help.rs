@@ -47,6 +47,7 @@ fn help_has_every_option() {
         "--spp",
         "--threads",
         "--tolerance",
+        "--tree",
         "--view",
         "--without",
     ];
@@ -113,6 +114,7 @@ fn help_has_every_option() {
         "--size",
         "--threads",
         "--tolerance",
+        "--tree",
     ];
     assert_eq!(options_in(&build), expected, "{build}");
     for word in ["slimbvh.slim", "q10", "0.5px", "Examples:"] {

@@ -7,7 +7,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use slimbvh::generate::{default_scene, icosphere, soup};
 use slimbvh::gpu::{self, Facing, Gpu, GpuError, Subset};
-use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, View};
+use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View};
 use slimbvh_core::classify::{Reach, Sides};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_tests::gpu::{done, gpu, is_software};
@@ -31,9 +31,9 @@ pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
         (Q21, lattice),
     ]
     .map(|(nodes, mesh)| BuildConfig {
-        code_bits,
         nodes,
         mesh,
+        ..BuildConfig::from(code_bits)
     })
 }
 
@@ -345,6 +345,35 @@ fn one_flipped_bit_of_a_node_is_found() {
         flipped[bit / 8] ^= 1 << (bit % 8);
         assert!(same_bits(&flipped, nodes).is_err());
     }
+}
+
+#[test]
+fn clustered_trees_are_refused() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = done(gpu::Mesh::upload(gpu, &soup(10, 1)));
+    let config = BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    };
+    let mut bvh = gpu::Bvh::new();
+    let built = gpu::Builder::new(config).build(&mut gpu.frame(), &mesh, &mut bvh);
+    assert_eq!(built, Err(GpuError::Tree));
+    let said = "clustered trees are built on the CPU only; the GPU builds radix trees";
+    assert_eq!(GpuError::Tree.to_string(), said);
+}
+
+#[test]
+fn clustered_trees_are_uploaded_and_traced_as_any() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = soup(3000, 5);
+    let config = BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    };
+    let tree = build_as(&mesh, config);
+    let uploaded = done(gpu::Bvh::upload(gpu, &tree));
+    let back = done(uploaded.download(gpu));
+    assert!(back.nodes() == tree.nodes() && back.leaf_triangles() == tree.leaf_triangles());
 }
 
 #[test]

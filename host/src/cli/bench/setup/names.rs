@@ -5,7 +5,7 @@ use crate::cli::measure::step::Step;
 use crate::cli::output::things;
 use crate::cli::storage::names;
 use slimbvh::reduce::Reduce;
-use slimbvh::{CodeBits, MeshCodec};
+use slimbvh::{CodeBits, MeshCodec, TreeKind};
 
 impl Setup {
     /// In tables: what is not as usual.
@@ -25,6 +25,9 @@ impl Setup {
         }
         if self.codes != usual.codes {
             parts.push(format!("{}-bit codes", self.code_bits()));
+        }
+        if self.tree != usual.tree {
+            parts.push(format!("tree {}", self.tree_name()));
         }
         if self.update != usual.update {
             parts.push(self.update_name().into());
@@ -70,6 +73,13 @@ impl Setup {
         match self.codes {
             CodeBits::Bits30 => 30,
             CodeBits::Bits63 => 63,
+        }
+    }
+
+    pub fn tree_name(&self) -> &'static str {
+        match self.tree {
+            TreeKind::Radix => "radix",
+            TreeKind::Clustered => "clustered",
         }
     }
 
