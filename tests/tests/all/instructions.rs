@@ -5,31 +5,49 @@
 //! `REQUIRE_VALGRIND=1` makes a failure.
 
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
-use slimbvh::{BuildConfig, Builder, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray};
+use slimbvh::{
+    BuildConfig, Builder, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray, TreeKind,
+};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is counted: a number of rounds of it.
-const JOBS: [(&str, fn(usize)); 6] = [
-    ("build, 30-bit codes", |rounds| {
-        build(rounds, &knot(), CodeBits::Bits30.into())
-    }),
-    ("build, 63-bit codes", |rounds| {
-        build(rounds, &knot(), CodeBits::Bits63.into())
-    }),
-    ("build, q10, triangles on the lattice", |rounds| {
-        build(rounds, &knot(), on_lattice())
-    }),
-    ("closest hits", |rounds| {
-        trace(rounds, BuildConfig::default(), false)
-    }),
-    ("any hits", |rounds| {
-        trace(rounds, BuildConfig::default(), true)
-    }),
-    ("closest hits, q10, triangles on the lattice", |rounds| {
-        trace(rounds, on_lattice(), false)
-    }),
+/// What is counted.
+struct Job {
+    name: &'static str,
+    /// Does a number of rounds of it.
+    run: fn(usize),
+}
+
+const JOBS: [Job; 7] = [
+    Job {
+        name: "build, 30-bit codes",
+        run: |rounds| build(rounds, CodeBits::Bits30.into()),
+    },
+    Job {
+        name: "build, 63-bit codes",
+        run: |rounds| build(rounds, CodeBits::Bits63.into()),
+    },
+    Job {
+        name: "build, clustered",
+        run: |rounds| build(rounds, clustered()),
+    },
+    Job {
+        name: "build, q10, triangles on the lattice",
+        run: |rounds| build(rounds, on_lattice()),
+    },
+    Job {
+        name: "closest hits",
+        run: |rounds| trace(rounds, BuildConfig::default(), is_near),
+    },
+    Job {
+        name: "any hits",
+        run: |rounds| trace(rounds, BuildConfig::default(), Bvh::any_hit),
+    },
+    Job {
+        name: "closest hits, q10, triangles on the lattice",
+        run: |rounds| trace(rounds, on_lattice(), is_near),
+    },
 ];
 
 /// Counts may be this much above the record, as a share, and as much below, or the record is out of date.
@@ -40,6 +58,17 @@ const SLACK_OF_ANOTHER_COMPILER: f64 = 0.25;
 
 /// The environment variable that tells [`the_process_that_is_counted`] which job, and how many rounds.
 const COUNTED: &str = "SLIMBVH_COUNTED_JOB";
+
+fn is_near(bvh: &Bvh, ray: &Ray) -> bool {
+    bvh.closest_hit(ray).is_hit()
+}
+
+fn clustered() -> BuildConfig {
+    BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    }
+}
 
 fn on_lattice() -> BuildConfig {
     BuildConfig {
@@ -65,17 +94,18 @@ fn snapped(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-fn build(rounds: usize, mesh: &Mesh, config: BuildConfig) {
+fn build(rounds: usize, config: BuildConfig) {
+    let mesh = knot();
     let mut builder = Builder::new(config);
-    let mut bvh = slimbvh::Bvh::default();
+    let mut bvh = Bvh::default();
     for _ in 0..=rounds {
         builder
-            .build_into(mesh, &mut bvh)
+            .build_into(&mesh, &mut bvh)
             .expect("the mesh is sound");
     }
 }
 
-fn trace(rounds: usize, config: BuildConfig, any: bool) {
+fn trace(rounds: usize, config: BuildConfig, is_hit: impl Fn(&Bvh, &Ray) -> bool) {
     let mesh = snapped(terrain(8.0, 64, 7));
     let bvh = Builder::new(config)
         .build(&mesh)
@@ -88,12 +118,7 @@ fn trace(rounds: usize, config: BuildConfig, any: bool) {
                 f32::from(i / 100) * 0.06 - 3.0,
             );
             let ray = Ray::new([0.5, 6.0, 11.0], [x - 0.5, -6.0, z - 11.0]);
-            let is_hit = if any {
-                bvh.any_hit(&ray)
-            } else {
-                bvh.closest_hit(&ray).is_hit()
-            };
-            hit_count += usize::from(is_hit);
+            hit_count += usize::from(is_hit(&bvh, &ray));
         }
     }
     assert!(rounds == 0 || hit_count > 5_000 * rounds, "{hit_count}");
@@ -112,7 +137,7 @@ fn the_process_that_is_counted() {
         .num_threads(1)
         .build()
         .expect("a thread");
-    pool.install(|| JOBS[job].1(rounds));
+    pool.install(|| (JOBS[job].run)(rounds));
 }
 
 /// Instructions of one round, in thousands.
@@ -188,11 +213,10 @@ fn no_more_instructions_than_on_record() {
     if !is_to_be_counted() {
         return;
     }
-    let counts = JOBS.map(|_| 0);
-    let counts: Vec<u64> = (0..counts.len()).map(count).collect();
+    let counts: Vec<u64> = (0..JOBS.len()).map(count).collect();
     if std::env::var_os("UPDATE_GOLDEN").is_some_and(|update| update == "1") {
         let mut text = format!("# {}\njob;instructions, thousands\n", compiler());
-        for ((name, _), count) in JOBS.iter().zip(&counts) {
+        for (Job { name, .. }, count) in JOBS.iter().zip(&counts) {
             writeln!(text, "{name};{count}").expect("a string takes all");
         }
         std::fs::write(path(), text).expect("the record can be written");
@@ -217,7 +241,7 @@ fn no_more_instructions_than_on_record() {
     let names: Vec<&str> = recorded.iter().map(|(name, _)| *name).collect();
     assert_eq!(
         names,
-        JOBS.map(|(name, _)| name),
+        JOBS.map(|job| job.name),
         "UPDATE_GOLDEN=1 writes the record anew"
     );
     let mut wrong = String::new();
