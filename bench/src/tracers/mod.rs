@@ -229,11 +229,7 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
 }
 
 /// Answers rays in the order in which they come, a row of the picture at a time. All tracers go through this.
-fn answer_rows<A: Send>(
-    rays: &[Ray],
-    answers: &mut [A],
-    answer: impl Fn(&[Ray], &mut [A]) + Sync,
-) {
+fn answer_rows<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&[Ray], &mut [A]) + Sync) {
     let rows = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
     rows.for_each(|(answers, rays)| answer(rays, answers));
 }

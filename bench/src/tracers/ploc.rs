@@ -113,11 +113,17 @@ impl Tracer for Ploc<'_> {
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
         answer_all(rays, answers, |ray| {
             let mut hit = RayHit::none();
-            self.clusters.bvh
+            self.clusters
+                .bvh
                 .ray_traverse(peer_ray(ray), &mut hit, |ray, place| {
                     self.leaf_triangles[place].intersect(ray)
                 });
-            match self.clusters.bvh.primitive_indices.get(hit.primitive_id as usize) {
+            match self
+                .clusters
+                .bvh
+                .primitive_indices
+                .get(hit.primitive_id as usize)
+            {
                 Some(&primitive) => Answer {
                     t: hit.t,
                     primitive,
@@ -129,9 +135,12 @@ impl Tracer for Ploc<'_> {
 
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
         answer_all(rays, answers, |ray| {
-            !self.clusters.bvh.ray_traverse_miss(peer_ray(ray), |ray, place| {
-                self.leaf_triangles[place].intersect(ray)
-            })
+            !self
+                .clusters
+                .bvh
+                .ray_traverse_miss(peer_ray(ray), |ray, place| {
+                    self.leaf_triangles[place].intersect(ray)
+                })
         });
     }
 

@@ -148,12 +148,7 @@ unsafe extern "C" {
         context: *mut Context,
         rays: *mut RayHit16,
     );
-    fn rtcOccluded16(
-        valid: *const Valid,
-        scene: Pointer,
-        context: *mut Context,
-        rays: *mut Ray16,
-    );
+    fn rtcOccluded16(valid: *const Valid, scene: Pointer, context: *mut Context, rays: *mut Ray16);
 }
 
 /// Embree, with threads of its own for building.
@@ -231,10 +226,7 @@ impl<'a> Scene<'a> {
         indices: &'a [[u32; 3]],
     ) -> Result<Self> {
         let count = vertices.len().saturating_sub(1);
-        let are_there = indices
-            .as_flattened()
-            .iter()
-            .all(|&i| (i as usize) < count);
+        let are_there = indices.as_flattened().iter().all(|&i| (i as usize) < count);
         ensure!(are_there, "a triangle's vertex is not there");
         // SAFETY: the device lives. Both objects are released when this is dropped.
         let (scene, geometry) = unsafe {
