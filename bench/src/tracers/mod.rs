@@ -170,6 +170,11 @@ pub trait Tracer: Send + Sync {
     /// Frees what was built and all buffers: the next build begins from nothing.
     fn forget(&mut self);
 
+    /// Whether a ray is one that may be asked about.
+    fn takes(&self, _ray: &Ray) -> bool {
+        true
+    }
+
     /// Finds the closest hit of each ray.
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]);
 

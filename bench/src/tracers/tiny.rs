@@ -5,6 +5,7 @@
 
 use super::{Answer, Bytes, Tracer, answer_all, from_start};
 use anyhow::{Result, anyhow};
+use glam::{DVec3, Vec3};
 use slimbvh::Stages;
 use slimbvh_core::Ray;
 use tinybvh_rs::{INFINITE, Intersector, Ray as PeerRay, bvh};
@@ -63,21 +64,56 @@ impl<'a> Shared<'a> {
         })
     }
 
-    /// tinybvh takes the end of a ray where it puts the hit.
+    /// tinybvh makes directions unit length, and takes the end of a ray where it puts the hit.
     fn closest_hit(&self, ray: &Ray) -> Answer {
         let (ray, shift) = from_start(ray);
-        let mut peer_ray = PeerRay::new(ray.origin, ray.direction);
-        let end = ray.t_max.min(INFINITE);
-        peer_ray.hit.t = end;
-        self.tree.intersect(&mut peer_ray);
-        if peer_ray.hit.t < end {
+        let direction = DVec3::from_array(ray.direction.map(f64::from));
+        let length = direction.length();
+        let end = (f64::from(ray.t_max) * length).min(INFINITE.into()) as f32;
+        let mut room = Room::new(ray.origin, (direction / length).as_vec3(), end);
+        self.tree.intersect(&mut room.ray);
+        let hit = room.ray.hit;
+        if hit.t < end {
             Answer {
-                t: peer_ray.hit.t + shift,
-                primitive: peer_ray.hit.prim,
+                t: (f64::from(hit.t) / length) as f32 + shift,
+                primitive: hit.prim,
             }
         } else {
             Answer::MISS
         }
+    }
+}
+
+/// A ray with as much room, and at such a place, as tinybvh 1.6 expects: the wrapper's own is half as large, and its `Ray::new`
+/// writes beyond it.
+#[repr(C, align(64))]
+struct Room {
+    ray: PeerRay,
+    rest: [u8; 64],
+}
+
+const _: () = assert!(size_of::<Room>() == 128);
+
+impl Room {
+    #[inline]
+    fn new(origin: [f32; 3], direction: Vec3, end: f32) -> Self {
+        let mut ray = PeerRay {
+            origin,
+            dir: direction.to_array(),
+            r_d: direction.to_array().map(reciprocal),
+            ..PeerRay::default()
+        };
+        ray.hit.t = end;
+        Self { ray, rest: [0; 64] }
+    }
+}
+
+/// With tinybvh's bound.
+fn reciprocal(x: f32) -> f32 {
+    if x.abs() > 1e-12 {
+        x.recip()
+    } else {
+        INFINITE.copysign(x)
     }
 }
 

@@ -1,5 +1,6 @@
 //! All peers as one tracer, each of whose trees is a peer: so exact answers are found once for all.
 
+use crate::child::Task;
 use crate::contain::contained;
 use crate::options::Options;
 use anyhow::{Result, ensure};
@@ -54,15 +55,6 @@ pub fn asked() -> impl Iterator<Item = Peer> {
         .filter(move |peer| names.contains(&peer.tracer))
 }
 
-/// What comes of a peer on a scene.
-#[derive(Clone, Debug)]
-pub enum Fate {
-    /// All is answered.
-    Answered,
-    /// Something went wrong: in a word, and in a sentence. What is not answered counts as a miss.
-    Failed(&'static str, String),
-}
-
 /// All peers.
 pub struct Peers {
     /// Of the case that is asked about.
@@ -70,8 +62,8 @@ pub struct Peers {
     peers: Vec<Peer>,
     effort: Effort,
     limit: Duration,
-    /// Of the case that was asked about last, by the tracer's name.
-    fates: HashMap<String, Fate>,
+    /// Of the case that was asked about last, by the tracer's name: what went wrong, in a word and in a sentence.
+    failures: HashMap<String, (String, String)>,
 }
 
 impl Peers {
@@ -83,20 +75,20 @@ impl Peers {
             peers,
             effort: options.effort,
             limit: options.limit,
-            fates: HashMap::new(),
+            failures: HashMap::new(),
         })
     }
 
-    /// A row under its peer's name, with its fate for a tree where that is not to have answered.
+    /// A row under its peer's name, with the word for what went wrong in place of its tree.
     pub fn named(&self, mut row: Row) -> Row {
         let Some(peer) = self.peers.iter().find(|peer| peer.tracer == row.codec) else {
             return row;
         };
         row.tracer = peer.row.into();
         row.codec = peer.tree.into();
-        if let Some(Fate::Failed(word, sentence)) = self.fates.get(peer.tracer) {
-            row.codec = (*word).into();
-            row.example = Some(sentence.clone());
+        if let Some((word, sentence)) = self.failures.get(peer.tracer) {
+            row.codec.clone_from(word);
+            row.example = Some(format!("{word}: {sentence}"));
         }
         row
     }
@@ -124,11 +116,19 @@ impl Tracer for Peers {
     }
 
     fn trace(&mut self, case: &Case, tree: &Tree, rays: &[Ray]) -> Result<Outcome, Failure> {
-        let answered = contained(&tree.codec, self.number, self.effort, self.limit)?;
-        if let Fate::Failed(word, sentence) = &answered.fate {
+        let task = Task {
+            peer: &tree.codec,
+            case: self.number,
+            effort: self.effort,
+            first: 0,
+            careful_until: 0,
+        };
+        let answered = contained(task, rays.len(), self.limit)?;
+        self.failures.remove(&tree.codec);
+        if let Some((word, sentence)) = answered.failure {
             eprintln!("  {}: {word}: {sentence}", tree.codec);
+            self.failures.insert(tree.codec.clone(), (word, sentence));
         }
-        self.fates.insert(tree.codec.clone(), answered.fate);
         let miss = Answer {
             closest: Hit::MISS,
             any: false,

@@ -10,6 +10,9 @@ use ffi::{Device, MISS, Ray1, Ray16, RayHit1, RayHit16, Scene, Valid};
 use slimbvh::{Mesh, Stages};
 use slimbvh_core::Ray;
 
+/// Embree's bound on the coordinates of rays (`FLT_LARGE`).
+const LARGEST: f32 = 1.844e18;
+
 /// How rays are handed over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
@@ -66,7 +69,7 @@ fn peer_ray(ray: &Ray) -> (Ray1, f32) {
         near: ray.t_min,
         direction: ray.direction,
         time: 0.0,
-        far: ray.t_max,
+        far: ray.t_max.min(f32::MAX),
         mask: u32::MAX,
         id: 0,
         flags: 0,
@@ -181,6 +184,12 @@ impl Tracer for Embree<'_> {
 
     fn forget(&mut self) {
         self.scene = None;
+    }
+
+    /// What Embree calls a valid ray, which Debian's build insists on.
+    fn takes(&self, ray: &Ray) -> bool {
+        let mut numbers = ray.origin.iter().chain(&ray.direction);
+        numbers.all(|x| x.abs() < LARGEST)
     }
 
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
