@@ -2,7 +2,7 @@
 
 use super::{Answer, Bytes, Tracer, answer_all, from_start};
 use anyhow::Result;
-use bvh::aabb::{Aabb, Bounded};
+use bvh::aabb::{Aabb, Bounded, IntersectsAabb};
 use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
 use bvh::bvh::{Bvh, BvhNode};
 use bvh::ray::Ray as PeerRay;
@@ -11,6 +11,7 @@ use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use slimbvh::{Mesh, Stages};
 use slimbvh_core::Ray;
+use std::cell::Cell;
 
 /// A triangle as the crate wants it: boxed by its owner, and with room for the number of its node.
 struct Shape {
@@ -52,8 +53,8 @@ pub struct Binned {
 pub enum Order {
     /// The nearest box first, up to the first box behind the best hit.
     Nearest,
-    /// All of them, in the order of the tree.
-    All,
+    /// In the order of the tree, without boxes behind the best hit so far: what is asked of boxes is the caller's to say.
+    Pruned,
 }
 
 impl Binned {
@@ -78,17 +79,16 @@ impl Binned {
         let (ray, shift) = from_start(ray);
         let line = Line::new(&ray);
         let mut best = Answer::MISS;
-        let mut least = f32::INFINITY;
-        let mut add = |shape: &Shape| {
+        let mut add = |shape: &Shape, nearest: f32| {
             let distance = line.distance(shape);
-            if distance < least && line.t(distance) <= ray.t_max {
-                least = distance;
-                best = Answer {
-                    t: line.t(distance) + shift,
-                    primitive: shape.primitive,
-                };
+            if distance >= nearest || line.t(distance) > ray.t_max {
+                return nearest;
             }
-            least
+            best = Answer {
+                t: line.t(distance) + shift,
+                primitive: shape.primitive,
+            };
+            distance
         };
         match self.order {
             Order::Nearest => {
@@ -98,12 +98,16 @@ impl Binned {
                     if entry.is_some_and(|(entry, _)| entry > nearest) {
                         break;
                     }
-                    nearest = add(shape);
+                    nearest = add(shape, nearest);
                 }
             }
-            Order::All => {
-                for shape in self.bvh.traverse_iterator(&line.ray, &self.shapes) {
-                    add(shape);
+            Order::Pruned => {
+                let query = Pruned {
+                    ray: &line.ray,
+                    nearest: Cell::new(f32::INFINITY),
+                };
+                for shape in self.bvh.traverse_iterator(&query, &self.shapes) {
+                    query.nearest.set(add(shape, query.nearest.get()));
                 }
             }
         }
@@ -118,6 +122,19 @@ impl Binned {
             let distance = line.distance(shape);
             distance < f32::INFINITY && line.t(distance) <= ray.t_max
         })
+    }
+}
+
+/// A ray, and how far along it the best hit is.
+struct Pruned<'a> {
+    ray: &'a PeerRay<f32, 3>,
+    nearest: Cell<f32>,
+}
+
+impl IntersectsAabb<f32, 3> for Pruned<'_> {
+    fn intersects_aabb(&self, aabb: &Aabb<f32, 3>) -> bool {
+        let entry = self.ray.intersection_slice_for_aabb(aabb);
+        entry.is_some_and(|(entry, _)| entry <= self.nearest.get())
     }
 }
 

@@ -1,5 +1,6 @@
 //! What all of obvhs' trees begin with, and what they are asked with.
 
+use super::not_behind;
 use anyhow::{Result, ensure};
 use glam::Vec3A;
 use obvhs::BvhBuildParams;
@@ -74,13 +75,10 @@ pub fn in_order(triangles: &[Triangle], order: &[u32], to: &mut Vec<Triangle>) {
         .collect_into_vec(to);
 }
 
-/// A ray as obvhs takes it. Its reciprocals are part of the time, as slimbvh's preparation is.
+/// A ray as obvhs takes it, and what is to be added to its t. Its reciprocals are part of the time, as slimbvh's preparation is.
 #[inline(always)]
-pub fn peer_ray(ray: &Ray) -> PeerRay {
-    PeerRay::new(
-        Vec3A::from_array(ray.origin),
-        Vec3A::from_array(ray.direction),
-        ray.t_min,
-        ray.t_max,
-    )
+pub fn peer_ray(ray: &Ray) -> (PeerRay, f32) {
+    let (ray, shift) = not_behind(ray);
+    let [origin, direction] = [ray.origin, ray.direction].map(Vec3A::from_array);
+    (PeerRay::new(origin, direction, ray.t_min, ray.t_max), shift)
 }

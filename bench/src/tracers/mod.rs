@@ -216,7 +216,7 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
         wide("obvhs cwbvh8 fastest", BvhBuildParams::fastest_build()),
         wide("obvhs cwbvh8 medium", BvhBuildParams::medium_build()),
         binned("bvh nearest", Order::Nearest),
-        binned("bvh all", Order::All),
+        binned("bvh pruned", Order::Pruned),
         Box::new(Parry::new(mesh)),
     ];
     #[cfg(feature = "tinybvh")]
@@ -248,12 +248,27 @@ fn answer_all<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray) ->
     });
 }
 
-/// The ray from where its range begins, for tracers whose rays begin at 0, and what is to be added to its t.
+/// For tracers whose rays begin at 0: the ray from where its range begins, and what is to be added to its t.
 #[inline]
 fn from_start(ray: &Ray) -> (Ray, f32) {
     if ray.t_min == 0.0 {
         return (*ray, 0.0);
     }
+    moved(ray)
+}
+
+/// For tracers whose rays do not begin behind their origin: as [`from_start`] where this one does.
+#[inline]
+fn not_behind(ray: &Ray) -> (Ray, f32) {
+    if ray.t_min >= 0.0 {
+        return (*ray, 0.0);
+    }
+    moved(ray)
+}
+
+/// The ray from where its range begins, and what is to be added to its t.
+#[cold]
+fn moved(ray: &Ray) -> (Ray, f32) {
     let along = |axis: usize| {
         let way = f64::from(ray.direction[axis]) * f64::from(ray.t_min);
         (f64::from(ray.origin[axis]) + way) as f32

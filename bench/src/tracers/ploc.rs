@@ -36,7 +36,7 @@ impl<'a> Ploc<'a> {
     /// Walks the tree as obvhs' `ray_traverse_dynamic` does, and counts.
     fn count(&self, ray: &Ray, question: Question) -> Visits {
         let mut visits = Visits::default();
-        let mut ray = peer_ray(ray);
+        let (mut ray, _) = peer_ray(ray);
         let nodes = &self.clusters.bvh.nodes;
         let mut stack = Vec::new();
         match nodes.first() {
@@ -112,10 +112,11 @@ impl Tracer for Ploc<'_> {
 
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
         answer_all(rays, answers, |ray| {
+            let (peer_ray, shift) = peer_ray(ray);
             let mut hit = RayHit::none();
             self.clusters
                 .bvh
-                .ray_traverse(peer_ray(ray), &mut hit, |ray, place| {
+                .ray_traverse(peer_ray, &mut hit, |ray, place| {
                     self.leaf_triangles[place].intersect(ray)
                 });
             match self
@@ -125,7 +126,7 @@ impl Tracer for Ploc<'_> {
                 .get(hit.primitive_id as usize)
             {
                 Some(&primitive) => Answer {
-                    t: hit.t,
+                    t: hit.t + shift,
                     primitive,
                 },
                 None => Answer::MISS,
@@ -138,7 +139,7 @@ impl Tracer for Ploc<'_> {
             !self
                 .clusters
                 .bvh
-                .ray_traverse_miss(peer_ray(ray), |ray, place| {
+                .ray_traverse_miss(peer_ray(ray).0, |ray, place| {
                     self.leaf_triangles[place].intersect(ray)
                 })
         });

@@ -60,14 +60,14 @@ impl Tracer for Wide<'_> {
 
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]) {
         answer_all(rays, answers, |ray| {
+            let (peer_ray, shift) = peer_ray(ray);
             let mut hit = RayHit::none();
-            self.bvh
-                .ray_traverse(peer_ray(ray), &mut hit, |ray, place| {
-                    self.leaf_triangles[place].intersect(ray)
-                });
+            self.bvh.ray_traverse(peer_ray, &mut hit, |ray, place| {
+                self.leaf_triangles[place].intersect(ray)
+            });
             match self.bvh.primitive_indices.get(hit.primitive_id as usize) {
                 Some(&primitive) => Answer {
-                    t: hit.t,
+                    t: hit.t + shift,
                     primitive,
                 },
                 None => Answer::MISS,
@@ -77,7 +77,7 @@ impl Tracer for Wide<'_> {
 
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
         answer_all(rays, answers, |ray| {
-            !self.bvh.ray_traverse_miss(peer_ray(ray), |ray, place| {
+            !self.bvh.ray_traverse_miss(peer_ray(ray).0, |ray, place| {
                 self.leaf_triangles[place].intersect(ray)
             })
         });

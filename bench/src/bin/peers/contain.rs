@@ -23,7 +23,7 @@ pub struct Answered {
     /// What went wrong: in a word, and in a sentence. What is not answered counts as a miss.
     pub failure: Option<(String, String)>,
     /// Rays that it does not take.
-    refused: usize,
+    pub refused: usize,
     /// Rays that it panics with, and a message.
     panicked: (usize, String),
     /// Rays that a process has died of, and how.
@@ -122,25 +122,24 @@ impl Answered {
         self.answers.push(answer);
     }
 
-    /// Of all that went wrong with single rays the gravest.
+    /// Of what went wrong with single rays the gravest.
     fn sum_up(&mut self, ray_count: usize) {
         if self.failure.is_some() {
             return;
         }
         let (died, how) = &self.died;
         let (panicked, message) = &self.panicked;
-        let failure = match (*died, *panicked, self.refused) {
-            (0, 0, 0) => return,
-            (0, 0, refused) => ("refused", format!("{refused} of {ray_count} rays")),
-            (0, count, _) => (
+        let failure = match (*died, *panicked) {
+            (0, 0) => return,
+            (0, count) => (
                 "panicked",
                 format!("with {count} of {ray_count} rays: {message}"),
             ),
-            (MOST_DEATHS, ..) => (
+            (MOST_DEATHS, _) => (
                 "died",
                 format!("with {died} of {ray_count} rays, then given up: {how}"),
             ),
-            (died, ..) => ("died", format!("with {died} of {ray_count} rays: {how}")),
+            (died, _) => ("died", format!("with {died} of {ray_count} rays: {how}")),
         };
         self.failure = Some((failure.0.into(), failure.1));
     }

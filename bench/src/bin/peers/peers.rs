@@ -129,6 +129,9 @@ impl Tracer for Peers {
             eprintln!("  {}: {word}: {sentence}", tree.codec);
             self.failures.insert(tree.codec.clone(), (word, sentence));
         }
+        if answered.refused > 0 {
+            eprintln!("  {}: does not take {} rays", tree.codec, answered.refused);
+        }
         let miss = Answer {
             closest: Hit::MISS,
             any: false,

@@ -16,8 +16,8 @@ struct Line<'a> {
     peer: &'a str,
     scenes: usize,
     sum: Row,
-    /// Rows that say something else than a tree's name.
-    failures: Vec<String>,
+    /// By the word that stands for a tree's name: at which magnitudes.
+    failures: Vec<(&'a str, Vec<&'a str>)>,
 }
 
 /// As it is printed.
@@ -51,6 +51,9 @@ pub fn text(rows: &[Row]) -> String {
 
 fn cells(line: &Line<'_>) -> [String; HEAD.len()] {
     let sum = &line.sum;
+    let failure =
+        |(word, magnitudes): &(&str, Vec<&str>)| format!("{word} at {}", magnitudes.join(", "));
+    let failures: Vec<String> = line.failures.iter().map(failure).collect();
     [
         line.family.to_owned(),
         line.peer.to_owned(),
@@ -60,7 +63,7 @@ fn cells(line: &Line<'_>) -> [String; HEAD.len()] {
         sum.false_hits.to_string(),
         sum.wrong_primitive.to_string(),
         sum.adrift.to_string(),
-        line.failures.join("; "),
+        failures.join("; "),
     ]
 }
 
@@ -81,9 +84,12 @@ fn lines(rows: &[Row]) -> Vec<Line<'_>> {
         let line = &mut lines[place];
         line.scenes += 1;
         line.sum.add(row);
-        if FAILURES.contains(&row.codec.as_str()) {
-            line.failures
-                .push(format!("{} at {}", row.codec, row.magnitude));
+        let word = row.codec.as_str();
+        if FAILURES.contains(&word) {
+            match line.failures.iter_mut().find(|(own, _)| *own == word) {
+                Some((_, magnitudes)) => magnitudes.push(&row.magnitude),
+                None => line.failures.push((word, vec![&row.magnitude])),
+            }
         }
     }
     lines
@@ -107,10 +113,10 @@ mod tests {
             missed: 7,
             ..Row::default()
         };
-        let text = text(&[row("1e3", "tree"), row("1e20", "hung")]);
+        let text = text(&[row("1e3", "tree"), row("1e20", "hung"), row("1e30", "hung")]);
         let last: Vec<&str> = text.lines().last().unwrap().split_whitespace().collect();
         let expected = [
-            "scaled", "peer", "2", "1200", "14", "0", "0", "0", "hung", "at", "1e20",
+            "scaled", "peer", "3", "1800", "21", "0", "0", "0", "hung", "at", "1e20,", "1e30",
         ];
         assert_eq!(last, expected);
     }

@@ -4,7 +4,7 @@ mod ffi;
 
 pub use ffi::Quality;
 
-use super::{Answer, Bytes, Tracer, answer_all, answer_rows, from_start};
+use super::{Answer, Bytes, Tracer, answer_all, answer_rows, not_behind};
 use anyhow::{Result, bail};
 use ffi::{Device, MISS, Ray1, Ray16, RayHit1, RayHit16, Scene, Valid};
 use slimbvh::{Mesh, Stages};
@@ -59,11 +59,7 @@ impl<'a> Embree<'a> {
 
 /// A ray, and how much is to be added to its t. Embree's rays must not reach behind their origin.
 fn peer_ray(ray: &Ray) -> (Ray1, f32) {
-    let (ray, shift) = if ray.t_min < 0.0 {
-        from_start(ray)
-    } else {
-        (*ray, 0.0)
-    };
+    let (ray, shift) = not_behind(ray);
     let ray = Ray1 {
         origin: ray.origin,
         near: ray.t_min,
