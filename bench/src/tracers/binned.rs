@@ -53,6 +53,8 @@ pub struct Binned {
 pub enum Order {
     /// The nearest box first, up to the first box behind the best hit.
     Nearest,
+    /// All of them, in the order of the tree.
+    All,
     /// In the order of the tree, without boxes behind the best hit so far: what is asked of boxes is the caller's to say.
     Pruned,
 }
@@ -98,6 +100,12 @@ impl Binned {
                     if entry.is_some_and(|(entry, _)| entry > nearest) {
                         break;
                     }
+                    nearest = add(shape, nearest);
+                }
+            }
+            Order::All => {
+                let mut nearest = f32::INFINITY;
+                for shape in self.bvh.traverse_iterator(&line.ray, &self.shapes) {
                     nearest = add(shape, nearest);
                 }
             }

@@ -216,6 +216,7 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
         wide("obvhs cwbvh8 fastest", BvhBuildParams::fastest_build()),
         wide("obvhs cwbvh8 medium", BvhBuildParams::medium_build()),
         binned("bvh nearest", Order::Nearest),
+        binned("bvh all", Order::All),
         binned("bvh pruned", Order::Pruned),
         Box::new(Parry::new(mesh)),
     ];

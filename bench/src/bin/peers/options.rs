@@ -53,10 +53,8 @@ impl Options {
                 "--help" | "-h" => options.help = true,
                 "--quick" => options.effort = Effort::Quick,
                 "--only" => {
-                    options.only = value("names of peers")?
-                        .split(',')
-                        .map(str::to_owned)
-                        .collect()
+                    let names = value("names of peers")?;
+                    options.only = names.split(',').map(str::to_owned).collect();
                 }
                 "--family" => options.family = value("a name")?,
                 "--json" => options.json = Some(value("a file")?),
