@@ -1,12 +1,12 @@
 //! The crate bvh: its binary tree, built by binned surface areas.
 
-use super::{Answer, Bytes, Tracer, answer_all, from_start};
+use super::{Answer, Bytes, Tracer, answer_all, from_start, length};
 use anyhow::Result;
 use bvh::aabb::{Aabb, Bounded, IntersectsAabb};
 use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
 use bvh::bvh::{Bvh, BvhNode};
 use bvh::ray::Ray as PeerRay;
-use glam::DVec3;
+use glam::Vec3;
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 use slimbvh::{Mesh, Stages};
@@ -150,15 +150,14 @@ impl IntersectsAabb<f32, 3> for Pruned<'_> {
 struct Line {
     ray: PeerRay<f32, 3>,
     /// Of the direction that was given.
-    length: f64,
+    length: f32,
 }
 
 impl Line {
     fn new(ray: &Ray) -> Self {
-        let direction = DVec3::from_array(ray.direction.map(f64::from));
         Self {
             ray: PeerRay::new(Point3::from(ray.origin), Vector3::from(ray.direction)),
-            length: direction.length(),
+            length: length(Vec3::from_array(ray.direction)),
         }
     }
 
@@ -170,7 +169,7 @@ impl Line {
     }
 
     fn t(&self, distance: f32) -> f32 {
-        (f64::from(distance) / self.length) as f32
+        distance / self.length
     }
 }
 

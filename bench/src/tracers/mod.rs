@@ -23,6 +23,7 @@ pub use wide::Wide;
 
 use crate::rays::BLOCK;
 use anyhow::Result;
+use glam::Vec3;
 use obvhs::BvhBuildParams;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
@@ -281,4 +282,14 @@ fn moved(ray: &Ray) -> (Ray, f32) {
         t_max: ray.t_max - ray.t_min,
     };
     (moved, ray.t_min)
+}
+
+/// The length of a direction, for tracers that make it 1. In double precision where squares of single ones do not hold.
+#[inline]
+fn length(direction: Vec3) -> f32 {
+    let length = direction.length();
+    if (1e-15..1e15).contains(&length) {
+        return length;
+    }
+    direction.as_dvec3().length() as f32
 }

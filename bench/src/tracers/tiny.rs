@@ -3,9 +3,9 @@
 // The wrapper does not mark its trees as fit for threads.
 #![allow(unsafe_code)]
 
-use super::{Answer, Bytes, Tracer, answer_all, from_start};
+use super::{Answer, Bytes, Tracer, answer_all, from_start, length};
 use anyhow::{Result, anyhow};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use slimbvh::Stages;
 use slimbvh_core::Ray;
 use tinybvh_rs::{INFINITE, Intersector, Ray as PeerRay, bvh};
@@ -67,15 +67,15 @@ impl<'a> Shared<'a> {
     /// tinybvh makes directions unit length, and takes the end of a ray where it puts the hit.
     fn closest_hit(&self, ray: &Ray) -> Answer {
         let (ray, shift) = from_start(ray);
-        let direction = DVec3::from_array(ray.direction.map(f64::from));
-        let length = direction.length();
-        let end = (f64::from(ray.t_max) * length).min(INFINITE.into()) as f32;
-        let mut room = Room::new(ray.origin, (direction / length).as_vec3(), end);
+        let direction = Vec3::from_array(ray.direction);
+        let length = length(direction);
+        let end = (ray.t_max * length).min(INFINITE);
+        let mut room = Room::new(ray.origin, direction / length, end);
         self.tree.intersect(&mut room.ray);
         let hit = room.ray.hit;
         if hit.t < end {
             Answer {
-                t: (f64::from(hit.t) / length) as f32 + shift,
+                t: hit.t / length + shift,
                 primitive: hit.prim,
             }
         } else {

@@ -1,7 +1,7 @@
 //! obvhs: its compressed tree of eight children a node.
 
 use super::clusters::{Clusters, in_order, peer_ray};
-use super::{Answer, Bytes, Demand, Tracer, answer_all};
+use super::{Answer, Bytes, Tracer, answer_all};
 use anyhow::Result;
 use obvhs::BvhBuildParams;
 use obvhs::cwbvh::bvh2_to_cwbvh::bvh2_to_cwbvh;
@@ -37,10 +37,6 @@ impl<'a> Wide<'a> {
 impl Tracer for Wide<'_> {
     fn name(&self) -> &'static str {
         self.name
-    }
-
-    fn demand(&self) -> Demand {
-        Demand::Close
     }
 
     fn build(&mut self) -> Result<Stages> {

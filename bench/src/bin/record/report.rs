@@ -276,7 +276,7 @@ fn answers(out: &mut String, records: &[MeshRecord]) -> Result<()> {
         "Inner nodes opened (two boxes each) and triangles tested per ray; hits; and against slimbvh's 30-bit \
          tree on one thread: rays that hit for it only (missed), rays that do not hit for it (extra), and rays whose \
          distances differ by more than 0.1 % (elsewhere). Both of slimbvh's trees must give the same answers to the last \
-         bit, and obvhs nearly as many hits.\n"
+         bit, and obvhs' binary trees nearly as many hits.\n"
     )?;
     writeln!(
         out,
