@@ -1,8 +1,9 @@
 //! The command line.
 
 use anyhow::{Context, Result, bail, ensure};
+use slimbvh_bench::Input;
 use slimbvh_bench::meshes::{SCENES_VARIABLE, SUBJECTS};
-use slimbvh_bench::tracers::OURS;
+use slimbvh_bench::tracers::{OURS, tracers};
 use std::path::Path;
 
 /// What `--help` prints.
@@ -59,6 +60,16 @@ impl Options {
                 }
                 _ => bail!("there is no option or mesh {argument:?}\n{USAGE}"),
             }
+        }
+        let mesh = slimbvh::Mesh::default();
+        let input = Input::new(&mesh);
+        let names: Vec<&str> = tracers(&input).iter().map(|tracer| tracer.name()).collect();
+        for part in &options.only {
+            ensure!(
+                names.iter().any(|name| name.contains(part.as_str())),
+                "there is no tracer {part:?} in this build, which has {}",
+                names.join(", ")
+            );
         }
         ensure!(options.rounds >= 5, "--rounds must be at least 5");
         Ok(options)
