@@ -1,4 +1,4 @@
-//! Remembers which compiler and which flags this was built with, for the record.
+//! Remembers which compiler and which flags this was built with, for the record. Links Embree where it is asked for.
 
 use std::env;
 use std::process::Command;
@@ -17,5 +17,8 @@ fn main() {
         "cargo:rustc-env=BENCH_RUSTFLAGS={}",
         flags.replace('\u{1f}', " ")
     );
+    if env::var_os("CARGO_FEATURE_EMBREE").is_some() {
+        println!("cargo:rustc-link-lib=embree3");
+    }
     println!("cargo:rerun-if-changed=build.rs");
 }

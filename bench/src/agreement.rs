@@ -15,8 +15,10 @@ pub struct Agreement {
     pub expected_hits: usize,
     /// Hits of the other.
     pub hits: usize,
-    /// Rays that hit for one of them only.
-    pub hit_or_miss: usize,
+    /// Rays that hit for the one that is compared with only.
+    pub missed: usize,
+    /// Rays that hit for the other only.
+    pub extra: usize,
     /// Rays that hit for both at different distances.
     pub distance: usize,
 }
@@ -47,7 +49,7 @@ impl Agreement {
     /// Rays on which the two disagree in any way.
     #[must_use]
     pub fn disagreements(&self) -> usize {
-        self.hit_or_miss + self.distance
+        self.missed + self.extra + self.distance
     }
 
     /// Whether the numbers of hits are within [`TOLERANCE`].
@@ -60,7 +62,8 @@ impl Agreement {
     fn add(&mut self, expected: bool, other: bool) {
         self.expected_hits += usize::from(expected);
         self.hits += usize::from(other);
-        self.hit_or_miss += usize::from(expected != other);
+        self.missed += usize::from(expected && !other);
+        self.extra += usize::from(other && !expected);
     }
 }
 
@@ -76,7 +79,8 @@ mod tests {
         let agreement = Agreement::of_closest(&expected, &other);
         assert_eq!(agreement.expected_hits, 3);
         assert_eq!(agreement.hits, 3);
-        assert_eq!((agreement.hit_or_miss, agreement.distance), (2, 1));
+        assert_eq!((agreement.missed, agreement.extra), (1, 1));
+        assert_eq!(agreement.distance, 1);
         assert_eq!(agreement.disagreements(), 3);
         assert!(agreement.is_close());
     }

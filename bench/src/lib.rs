@@ -1,4 +1,4 @@
-//! slimbvh side by side with its peer obvhs: the same triangles, the same rays, one run.
+//! slimbvh side by side with its peers: the same triangles, the same rays, one run.
 //!
 //! A [`Tracer`] is anything that builds over a mesh and answers rays. Times are of whole jobs as a user would run them:
 //! a build goes from the caller's triangles to the last thing that tracing needs, a trace from a list of [`Ray`]s to a
@@ -33,7 +33,8 @@ pub fn thread_counts() -> Vec<usize> {
     }
 }
 
-/// A pool for both tracers: slimbvh and obvhs run in the pool that calls them.
+/// A pool for all tracers: slimbvh, obvhs and bvh run in the pool that calls them, others start as many threads or build on
+/// one.
 ///
 /// # Errors
 /// When the system gives no threads.

@@ -1,13 +1,29 @@
 //! What is compared.
 
+mod binned;
+mod clusters;
+#[cfg(feature = "embree")]
+mod embree;
+mod parry;
 mod ploc;
 mod slim;
+#[cfg(feature = "tinybvh")]
+mod tiny;
+mod wide;
 
+pub use binned::{Binned, Order};
+#[cfg(feature = "embree")]
+pub use embree::{Embree, Packing, Quality};
+pub use parry::Parry;
 pub use ploc::Ploc;
 pub use slim::Slim;
+#[cfg(feature = "tinybvh")]
+pub use tiny::Tiny;
+pub use wide::Wide;
 
 use crate::rays::BLOCK;
 use anyhow::Result;
+use glam::Vec3;
 use obvhs::BvhBuildParams;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
@@ -21,23 +37,46 @@ pub struct Input<'a> {
     pub mesh: &'a Mesh,
     /// A list of triangles, for obvhs.
     pub triangles: Vec<Triangle>,
+    /// A list of corners, three a triangle, for tinybvh.
+    #[cfg(feature = "tinybvh")]
+    pub positions: Vec<[f32; 4]>,
+    /// The vertices and one more that is not used, for Embree.
+    #[cfg(feature = "embree")]
+    pub padded: Vec<[f32; 3]>,
 }
 
 impl<'a> Input<'a> {
-    /// Makes the list. A caller of obvhs without one in hand pays for it too; no time measured here includes it.
+    /// Makes the lists. A caller without one in hand pays for it too; no time of a tracer includes it.
     #[must_use]
     pub fn new(mesh: &'a Mesh) -> Self {
-        let corner = |i: u32| glam::Vec3A::from_array(mesh.vertices[i as usize]);
-        let triangle = |&[a, b, c]: &[u32; 3]| Triangle {
-            v0: corner(a),
-            v1: corner(b),
-            v2: corner(c),
-        };
         Self {
             mesh,
-            triangles: mesh.indices.par_iter().map(triangle).collect(),
+            triangles: triangles(mesh),
+            #[cfg(feature = "tinybvh")]
+            positions: {
+                let corner = |&i: &u32| {
+                    let [x, y, z] = mesh.vertices[i as usize];
+                    [x, y, z, 0.0]
+                };
+                let corners = mesh.indices.as_flattened().par_iter();
+                corners.map(corner).collect()
+            },
+            #[cfg(feature = "embree")]
+            padded: [&mesh.vertices[..], &[[0.0; 3]]].concat(),
         }
     }
+}
+
+/// The list that obvhs takes.
+#[must_use]
+pub fn triangles(mesh: &Mesh) -> Vec<Triangle> {
+    let corner = |i: u32| glam::Vec3A::from_array(mesh.vertices[i as usize]);
+    let triangle = |&[a, b, c]: &[u32; 3]| Triangle {
+        v0: corner(a),
+        v1: corner(b),
+        v2: corner(c),
+    };
+    mesh.indices.par_iter().map(triangle).collect()
 }
 
 /// The closest hit, if there is one.
@@ -72,13 +111,24 @@ pub enum Question {
     Any,
 }
 
-/// Sizes of what tracing reads, in bytes.
+/// Sizes of what was built, in bytes, as far as they are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bytes {
     /// The nodes.
-    pub nodes: usize,
-    /// The triangles, reordered, with the caller's numbers.
-    pub triangles: usize,
+    pub nodes: Option<usize>,
+    /// The nodes and the triangles with the caller's numbers.
+    pub all: Option<usize>,
+}
+
+/// What a tracer's answers have to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Demand {
+    /// slimbvh's to the last bit.
+    Exact,
+    /// As many hits as slimbvh's, within a tolerance.
+    Close,
+    /// Any: what differs is counted.
+    Counted,
 }
 
 /// What rays touched, all together.
@@ -103,12 +153,12 @@ impl Add for Visits {
 
 /// Builds over a mesh and answers rays, in the rayon pool that calls it.
 pub trait Tracer: Send + Sync {
-    /// How tables call it.
+    /// How tables call it: the library's name first, then what it is asked to build.
     fn name(&self) -> &'static str;
 
-    /// Whether its answers have to be slimbvh's to the last bit.
-    fn is_exact(&self) -> bool {
-        false
+    /// What its answers have to be.
+    fn demand(&self) -> Demand {
+        Demand::Counted
     }
 
     /// Builds all that tracing needs, in place of what was built before; buffers are used again. Returns the times of
@@ -121,6 +171,11 @@ pub trait Tracer: Send + Sync {
     /// Frees what was built and all buffers: the next build begins from nothing.
     fn forget(&mut self);
 
+    /// Whether a ray is one that may be asked about.
+    fn takes(&self, _ray: &Ray) -> bool {
+        true
+    }
+
     /// Finds the closest hit of each ray.
     fn closest_hits(&self, rays: &[Ray], answers: &mut [Answer]);
 
@@ -130,30 +185,111 @@ pub trait Tracer: Send + Sync {
     /// Sizes of what was built.
     fn bytes(&self) -> Bytes;
 
-    /// What these rays touch.
-    fn visits(&self, rays: &[Ray], question: Question) -> Visits;
+    /// What these rays touch, if it can be counted.
+    fn visits(&self, _rays: &[Ray], _question: Question) -> Option<Visits> {
+        None
+    }
 }
 
-/// slimbvh with short codes and what it is held against, obvhs with its fastest preset, then slimbvh with long codes and
-/// obvhs with its medium preset.
+/// Who answers with slimbvh's 30-bit tree, which others are held against.
+pub const OURS: &str = "slimbvh 30";
+
+/// What [`OURS`] is held against first: obvhs with its fastest preset.
+pub const PEER: &str = "obvhs fastest";
+
+/// All of them, [`OURS`] and [`PEER`] first.
 #[must_use]
 pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
-    let slim = |name, code_bits| Box::new(Slim::new(name, code_bits, input.mesh));
+    let mesh = input.mesh;
+    let slim = |name, code_bits| Box::new(Slim::new(name, code_bits, mesh));
     let ploc = |name, params| Box::new(Ploc::new(name, params, &input.triangles));
-    vec![
-        slim("slimbvh 30", CodeBits::Bits30),
-        ploc("obvhs fastest", BvhBuildParams::fastest_build()),
+    let wide = |name, params| Box::new(Wide::new(name, params, &input.triangles));
+    let binned = |name, order| Box::new(Binned::new(name, order, mesh));
+    #[cfg_attr(
+        not(any(feature = "tinybvh", feature = "embree")),
+        expect(unused_mut, reason = "more come with features")
+    )]
+    let mut tracers: Vec<Box<dyn Tracer + 'a>> = vec![
+        slim(OURS, CodeBits::Bits30),
+        ploc(PEER, BvhBuildParams::fastest_build()),
         slim("slimbvh 63", CodeBits::Bits63),
         ploc("obvhs medium", BvhBuildParams::medium_build()),
-    ]
+        wide("obvhs cwbvh8 fastest", BvhBuildParams::fastest_build()),
+        wide("obvhs cwbvh8 medium", BvhBuildParams::medium_build()),
+        binned("bvh nearest", Order::Nearest),
+        binned("bvh all", Order::All),
+        binned("bvh pruned", Order::Pruned),
+        Box::new(Parry::new(mesh)),
+    ];
+    #[cfg(feature = "tinybvh")]
+    tracers.push(Box::new(Tiny::new(&input.positions)));
+    #[cfg(feature = "embree")]
+    for (name, kind) in [
+        ("embree morton", (Quality::Low, Packing::Single)),
+        ("embree morton x16", (Quality::Low, Packing::Packets)),
+        ("embree sah", (Quality::Medium, Packing::Single)),
+        ("embree sah x16", (Quality::Medium, Packing::Packets)),
+    ] {
+        tracers.push(Box::new(Embree::new(name, kind, &input.padded, mesh)));
+    }
+    tracers
 }
 
 /// Answers rays in the order in which they come, a row of the picture at a time. All tracers go through this.
-fn answer_all<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray) -> A + Sync) {
+fn answer_rows<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&[Ray], &mut [A]) + Sync) {
     let rows = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
-    rows.for_each(|(answers, rays)| {
+    rows.for_each(|(answers, rays)| answer(rays, answers));
+}
+
+/// [`answer_rows`], ray by ray.
+fn answer_all<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray) -> A + Sync) {
+    answer_rows(rays, answers, |rays, answers| {
         for (to, ray) in answers.iter_mut().zip(rays) {
             *to = answer(ray);
         }
     });
+}
+
+/// For tracers whose rays begin at 0: the ray from where its range begins, and what is to be added to its t.
+#[inline]
+fn from_start(ray: &Ray) -> (Ray, f32) {
+    if ray.t_min == 0.0 {
+        return (*ray, 0.0);
+    }
+    moved(ray)
+}
+
+/// For tracers whose rays do not begin behind their origin: as [`from_start`] where this one does.
+#[inline]
+fn not_behind(ray: &Ray) -> (Ray, f32) {
+    if ray.t_min >= 0.0 {
+        return (*ray, 0.0);
+    }
+    moved(ray)
+}
+
+/// The ray from where its range begins, and what is to be added to its t.
+#[cold]
+fn moved(ray: &Ray) -> (Ray, f32) {
+    let along = |axis: usize| {
+        let way = f64::from(ray.direction[axis]) * f64::from(ray.t_min);
+        (f64::from(ray.origin[axis]) + way) as f32
+    };
+    let moved = Ray {
+        origin: [0, 1, 2].map(along),
+        t_min: 0.0,
+        direction: ray.direction,
+        t_max: ray.t_max - ray.t_min,
+    };
+    (moved, ray.t_min)
+}
+
+/// The length of a direction, for tracers that make it 1. In double precision where squares of single ones do not hold.
+#[inline]
+fn length(direction: Vec3) -> f32 {
+    let length = direction.length();
+    if (1e-15..1e15).contains(&length) {
+        return length;
+    }
+    direction.as_dvec3().length() as f32
 }

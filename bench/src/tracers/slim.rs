@@ -1,6 +1,6 @@
 //! slimbvh.
 
-use super::{Answer, Bytes, Question, Tracer, Visits, answer_all};
+use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_all};
 use anyhow::Result;
 use rayon::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh, Stages};
@@ -55,8 +55,8 @@ impl Tracer for Slim<'_> {
         self.name
     }
 
-    fn is_exact(&self) -> bool {
-        true
+    fn demand(&self) -> Demand {
+        Demand::Exact
     }
 
     fn build(&mut self) -> Result<Stages> {
@@ -88,16 +88,16 @@ impl Tracer for Slim<'_> {
 
     fn bytes(&self) -> Bytes {
         Bytes {
-            nodes: self.bvh.node_bytes(),
-            triangles: self.bvh.triangle_bytes(),
+            nodes: Some(self.bvh.node_bytes()),
+            all: Some(self.bvh.node_bytes() + self.bvh.triangle_bytes()),
         }
     }
 
-    fn visits(&self, rays: &[Ray], question: Question) -> Visits {
+    fn visits(&self, rays: &[Ray], question: Question) -> Option<Visits> {
         let visits = rays.par_iter().map(|ray| match question {
             Question::Closest => self.count(ray, ClosestHit::new),
             Question::Any => self.count(ray, AnyHit::new),
         });
-        visits.reduce(Visits::default, Visits::add)
+        Some(visits.reduce(Visits::default, Visits::add))
     }
 }

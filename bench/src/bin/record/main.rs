@@ -1,9 +1,10 @@
-//! Measures slimbvh and obvhs side by side and writes a record. Exit codes: 0 done, 1 a tracer's answers are wrong,
+//! Measures slimbvh and its peers side by side and writes a record. Exit codes: 0 done, 1 a tracer's answers are wrong,
 //! 2 usage or input.
 
 mod measure;
 mod options;
 mod report;
+mod summary;
 
 use anyhow::{Context, Result, ensure};
 use measure::MeshRecord;
@@ -41,7 +42,7 @@ fn run() -> Result<Vec<String>> {
         }
         if let Some(mesh) = subject.mesh()? {
             eprintln!("{}: {} triangles", subject.name, mesh.indices.len());
-            records.push(measure::measure(subject.name, &mesh, options.rounds)?);
+            records.push(measure::measure(subject.name, &mesh, &options)?);
         }
     }
     ensure!(!records.is_empty(), "no mesh to measure with");

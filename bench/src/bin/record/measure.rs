@@ -1,8 +1,9 @@
 //! One mesh, all tracers in turn, job by job: all build, all trace primary rays, all trace shadow rays, and again.
 
+use crate::options::Options;
 use anyhow::Result;
 use slimbvh::{Mesh, Stages};
-use slimbvh_bench::tracers::{Bytes, Question, Visits, tracers};
+use slimbvh_bench::tracers::{Bytes, Question, Visits, tracers, triangles};
 use slimbvh_bench::{Agreement, Answer, Input, Reference, Tracer, pool, thread_counts};
 use std::time::Instant;
 
@@ -23,14 +24,21 @@ pub struct MeshRecord {
 pub struct TracerRecord {
     pub name: &'static str,
     pub bytes: Bytes,
-    pub primary_visits: Visits,
-    pub shadow_visits: Visits,
+    pub primary_visits: Option<Visits>,
+    pub shadow_visits: Option<Visits>,
     /// Against slimbvh with 30-bit codes on one thread.
     pub primary: Agreement,
     /// Against slimbvh with 30-bit codes on one thread.
     pub shadow: Agreement,
     /// One for each number of threads.
     pub runs: Vec<Run>,
+}
+
+impl TracerRecord {
+    /// The library's name, and what it was asked to build.
+    pub fn library_and_tree(&self) -> (&str, &str) {
+        self.name.split_once(' ').unwrap_or((self.name, ""))
+    }
 }
 
 /// Times on some number of threads.
@@ -45,6 +53,18 @@ pub struct Run {
     pub shadow: Samples,
     /// Of all builds together.
     pub stages: Stages,
+}
+
+impl Run {
+    /// Primary and shadow rays.
+    pub fn trace_ms(&self) -> f64 {
+        self.primary.median() + self.shadow.median()
+    }
+
+    /// A build that keeps its buffers, primary and shadow rays.
+    pub fn frame_ms(&self) -> f64 {
+        self.build.median() + self.trace_ms()
+    }
 }
 
 /// Times in milliseconds.
@@ -91,11 +111,11 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// Measures all tracers on a mesh, with one thread and with all.
-pub fn measure(name: &'static str, mesh: &Mesh, rounds: usize) -> Result<MeshRecord> {
+pub fn measure(name: &'static str, mesh: &Mesh, options: &Options) -> Result<MeshRecord> {
     let reference = Reference::new(mesh)?;
     let mut input_times = Samples::default();
     for _ in 0..3 {
-        pool(1)?.install(|| input_times.time(|| drop(Input::new(mesh))));
+        pool(1)?.install(|| input_times.time(|| drop(triangles(mesh))));
     }
     let input = Input::new(mesh);
     let mut record = MeshRecord {
@@ -109,6 +129,8 @@ pub fn measure(name: &'static str, mesh: &Mesh, rounds: usize) -> Result<MeshRec
     };
     for threads in thread_counts() {
         let mut tracers = tracers(&input);
+        tracers.retain(|tracer| options.wants_tracer(tracer.name()));
+        let rounds = options.rounds;
         let runs = pool(threads)?.install(|| time_all(&mut tracers, &reference, rounds))?;
         if record.tracers.is_empty() {
             record.tracers = tracers

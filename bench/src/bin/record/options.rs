@@ -1,15 +1,18 @@
 //! The command line.
 
 use anyhow::{Context, Result, bail, ensure};
+use slimbvh_bench::Input;
 use slimbvh_bench::meshes::{SCENES_VARIABLE, SUBJECTS};
+use slimbvh_bench::tracers::{OURS, tracers};
 use std::path::Path;
 
 /// What `--help` prints.
 pub const USAGE: &str = "\
-record [--out FILE] [--rounds N] [MESH...]
-  --out FILE   also write the tables to FILE
-  --rounds N   measure N times, at least 5 (default 9)
-  MESH...      only these meshes (default all)";
+record [--out FILE] [--rounds N] [--only TRACER,...] [MESH...]
+  --out FILE         also write the tables to FILE
+  --rounds N         measure N times, at least 5 (default 9)
+  --only TRACER,...  only tracers with one of these in their names, and slimbvh's tree of 30-bit codes
+  MESH...            only these meshes (default all)";
 
 const DEFAULT_ROUNDS: usize = 9;
 
@@ -21,6 +24,8 @@ pub struct Options {
     pub out: Option<String>,
     /// How often everything is measured.
     pub rounds: usize,
+    /// Parts of names of tracers, or empty for all.
+    only: Vec<String>,
     /// Names of the meshes, or empty for all.
     meshes: Vec<String>,
 }
@@ -32,6 +37,7 @@ impl Options {
             help: false,
             out: None,
             rounds: DEFAULT_ROUNDS,
+            only: Vec::new(),
             meshes: Vec::new(),
         };
         while let Some(argument) = arguments.next() {
@@ -45,11 +51,25 @@ impl Options {
                     let count = arguments.next().and_then(|count| count.parse().ok());
                     options.rounds = count.context("--rounds needs a number")?;
                 }
+                "--only" => {
+                    let names = arguments.next().context("--only needs names of tracers")?;
+                    options.only = names.split(',').map(str::to_owned).collect();
+                }
                 name if SUBJECTS.iter().any(|subject| subject.name == name) => {
                     options.meshes.push(argument);
                 }
                 _ => bail!("there is no option or mesh {argument:?}\n{USAGE}"),
             }
+        }
+        let mesh = slimbvh::Mesh::default();
+        let input = Input::new(&mesh);
+        let names: Vec<&str> = tracers(&input).iter().map(|tracer| tracer.name()).collect();
+        for part in &options.only {
+            ensure!(
+                names.iter().any(|name| name.contains(part.as_str())),
+                "there is no tracer {part:?} in this build, which has {}",
+                names.join(", ")
+            );
         }
         ensure!(options.rounds >= 5, "--rounds must be at least 5");
         Ok(options)
@@ -58,6 +78,12 @@ impl Options {
     /// Whether a mesh is asked for.
     pub fn wants(&self, name: &str) -> bool {
         self.meshes.is_empty() || self.meshes.iter().any(|mesh| mesh == name)
+    }
+
+    /// Whether a tracer is asked for.
+    pub fn wants_tracer(&self, name: &str) -> bool {
+        let is_named = |part: &String| name.contains(part.as_str());
+        self.only.is_empty() || name == OURS || self.only.iter().any(is_named)
     }
 
     /// The command that makes this record again, without paths of this machine.
@@ -74,12 +100,16 @@ impl Options {
         if cfg!(not(feature = "parallel")) {
             words.push("--no-default-features".into());
         }
-        if cfg!(feature = "small-nodes") {
-            words.push("--features small-nodes".into());
+        let features = features();
+        if !features.is_empty() {
+            words.push(format!("--features {}", features.join(",")));
         }
         words.push("--".into());
         if self.rounds != DEFAULT_ROUNDS {
             words.push(format!("--rounds {}", self.rounds));
+        }
+        if !self.only.is_empty() {
+            words.push(format!("--only {:?}", self.only.join(",")));
         }
         if let Some(out) = &self.out {
             let path = Path::new(out);
@@ -94,4 +124,15 @@ impl Options {
         words.extend(self.meshes.iter().map(|mesh| format!("{mesh:?}")));
         words.join(" ")
     }
+}
+
+/// Features that are on, but for the default one.
+fn features() -> Vec<&'static str> {
+    let all = [
+        ("small-nodes", cfg!(feature = "small-nodes")),
+        ("tinybvh", cfg!(feature = "tinybvh")),
+        ("embree", cfg!(feature = "embree")),
+    ];
+    let on = all.into_iter().filter(|(_, is_on)| *is_on);
+    on.map(|(name, _)| name).collect()
 }

@@ -2,20 +2,17 @@
 
 use crate::measure::{MeshRecord, Run, Samples, TracerRecord};
 use crate::options::Options;
+use crate::summary;
 use anyhow::Result;
 use slimbvh_bench::Agreement;
 use slimbvh_bench::machine;
-use slimbvh_bench::tracers::Visits;
+use slimbvh_bench::tracers::{OURS, PEER, Visits};
 use std::fmt::Write;
 
 /// Where the ratios should be.
 const BUILD_AIM: Aim = Aim::at_most(1.0, 2.0);
 const TRACE_AIM: Aim = Aim::at_least(1.0, 0.8);
 const NODE_BYTES_AIM: Aim = Aim::at_most(32.0, 56.0);
-
-/// The tracers that ratios are between, by their places in the list.
-const OURS: usize = 0;
-const PEER: usize = 1;
 
 /// A bound to reach and a bound to keep.
 struct Aim {
@@ -61,8 +58,11 @@ impl Aim {
 /// The whole record.
 pub fn report(records: &[MeshRecord], options: &Options) -> Result<String> {
     let mut out = String::new();
-    head(&mut out, options)?;
+    head(&mut out, records, options)?;
     aims(&mut out, records)?;
+    summary::frames(&mut out, records)?;
+    summary::traces(&mut out, records)?;
+    summary::missed(&mut out, records)?;
     builds(&mut out, records)?;
     stages(&mut out, records)?;
     traces(&mut out, records)?;
@@ -70,7 +70,12 @@ pub fn report(records: &[MeshRecord], options: &Options) -> Result<String> {
     Ok(out)
 }
 
-fn head(out: &mut String, options: &Options) -> Result<()> {
+/// The record of the tracer with this name.
+fn named<'a>(record: &'a MeshRecord, name: &str) -> Option<&'a TracerRecord> {
+    record.tracers.iter().find(|tracer| tracer.name == name)
+}
+
+fn head(out: &mut String, records: &[MeshRecord], options: &Options) -> Result<()> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let flags = match env!("BENCH_RUSTFLAGS") {
         "" => "none",
@@ -87,7 +92,7 @@ fn head(out: &mut String, options: &Options) -> Result<()> {
         features.push("none");
     }
     let features = features.join(", ");
-    writeln!(out, "# slimbvh and obvhs side by side\n")?;
+    writeln!(out, "# slimbvh and its peers side by side\n")?;
     writeln!(out, "| | |\n|---|---|")?;
     writeln!(out, "| date | {} |", machine::date())?;
     writeln!(
@@ -105,6 +110,13 @@ fn head(out: &mut String, options: &Options) -> Result<()> {
         "Times are medians in milliseconds, with the smallest and the largest; the tracers took turns at each job. What is measured \
          and how: [README](../README.md).\n"
     )?;
+    let has_embree = |record: &MeshRecord| {
+        let mut tracers = record.tracers.iter();
+        tracers.any(|tracer| tracer.library_and_tree().0 == "embree")
+    };
+    if records.iter().any(has_embree) {
+        return Ok(());
+    }
     writeln!(
         out,
         "For scale: Embree's Morton build of the dragon takes 87 ms on one thread (own measurement with Embree 3.13 on \
@@ -135,8 +147,10 @@ fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
          |---|--:|--:|--:|--:|--:|--:|--:|"
     )?;
     for record in records {
-        let (ours, peer) = (&record.tracers[OURS], &record.tracers[PEER]);
-        let node_bytes = ours.bytes.nodes as f64 / record.triangle_count as f64;
+        let (Some(ours), Some(peer)) = (named(record, OURS), named(record, PEER)) else {
+            continue;
+        };
+        let node_bytes = ours.bytes.nodes.unwrap_or(0) as f64 / record.triangle_count as f64;
         for (a, b) in ours.runs.iter().zip(&peer.runs) {
             let speedup = |of: fn(&Run) -> &Samples| of(b).ratio(of(a));
             writeln!(
@@ -148,7 +162,7 @@ fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
                 BUILD_AIM.judge(a.first_build.ratio(&b.first_build)),
                 TRACE_AIM.judge(speedup(|run| &run.primary)),
                 TRACE_AIM.judge(speedup(|run| &run.shadow)),
-                frame_ms(a) / frame_ms(b),
+                a.frame_ms() / b.frame_ms(),
                 NODE_BYTES_AIM.judge(node_bytes),
             )?;
         }
@@ -162,14 +176,17 @@ fn builds(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(
         out,
         "| mesh | triangles | tracer | threads | buffers kept | new buffers | M triangles/s | node bytes/triangle | \
-         leaf bytes/triangle |\n|---|--:|---|--:|--:|--:|--:|--:|--:|"
+         all bytes/triangle |\n|---|--:|---|--:|--:|--:|--:|--:|--:|"
     )?;
     for record in records {
         let count = record.triangle_count as f64;
+        let per_triangle = |bytes: Option<usize>| {
+            bytes.map_or("–".into(), |bytes| format!("{:.1}", bytes as f64 / count))
+        };
         for (tracer, run) in runs(record) {
             writeln!(
                 out,
-                "| {} | {} | {} | {} | {} | {} | {:.1} | {:.1} | {:.1} |",
+                "| {} | {} | {} | {} | {} | {} | {:.1} | {} | {} |",
                 record.name,
                 record.triangle_count,
                 tracer.name,
@@ -177,8 +194,8 @@ fn builds(out: &mut String, records: &[MeshRecord]) -> Result<()> {
                 spread(&run.build),
                 spread(&run.first_build),
                 count / run.build.median() / 1e3,
-                tracer.bytes.nodes as f64 / count,
-                tracer.bytes.triangles as f64 / count,
+                per_triangle(tracer.bytes.nodes),
+                per_triangle(tracer.bytes.all),
             )?;
         }
     }
@@ -198,7 +215,7 @@ fn builds(out: &mut String, records: &[MeshRecord]) -> Result<()> {
 /// Shares of slimbvh's build.
 fn stages(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Stages of slimbvh's build\n")?;
-    let names: Vec<&str> = records[0].tracers[OURS].runs[0]
+    let names: Vec<&str> = records[0].tracers[0].runs[0]
         .stages
         .iter()
         .map(|(name, _)| name)
@@ -244,7 +261,7 @@ fn traces(out: &mut String, records: &[MeshRecord]) -> Result<()> {
                 record.primary_count as f64 / run.primary.median() / 1e3,
                 spread(&run.shadow),
                 record.shadow_count as f64 / run.shadow.median() / 1e3,
-                frame_ms(run),
+                run.frame_ms(),
             )?;
         }
     }
@@ -256,23 +273,34 @@ fn answers(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Work and answers\n")?;
     writeln!(
         out,
-        "Inner nodes opened (two boxes each) and triangles tested per ray; hits; disagreements with slimbvh's 30-bit \
-         tree on one thread: rays that hit for one of the two only + rays whose distances differ by more than 0.1 %. \
-         Both of slimbvh's trees must give the same answers to the last bit.\n"
+        "Inner nodes opened (two boxes each) and triangles tested per ray; hits; and against slimbvh's 30-bit \
+         tree on one thread: rays that hit for it only (missed), rays that do not hit for it (extra), and rays whose \
+         distances differ by more than 0.1 % (elsewhere). Both of slimbvh's trees must give the same answers to the last \
+         bit, and obvhs' binary trees nearly as many hits.\n"
     )?;
     writeln!(
         out,
-        "| mesh | tracer | rays | nodes/ray | triangles/ray | hits | disagreements |\n|---|---|--:|--:|--:|--:|--:|"
+        "| mesh | tracer | rays | nodes/ray | triangles/ray | hits | missed | extra | elsewhere |\n\
+         |---|---|--:|--:|--:|--:|--:|--:|--:|"
     )?;
     for record in records {
         for tracer in &record.tracers {
-            let mut row = |kind: &str, count: usize, visits: Visits, seen: &Agreement| {
-                let per_ray = |sum: u64| format!("{:.1}", sum as f64 / count.max(1) as f64);
-                let (nodes, triangles) = (per_ray(visits.nodes), per_ray(visits.triangles));
+            let mut row = |kind: &str, count: usize, visits: Option<Visits>, seen: &Agreement| {
+                let per_ray = |sum: fn(Visits) -> u64| {
+                    let mean = |visits| sum(visits) as f64 / count.max(1) as f64;
+                    visits.map_or("–".into(), |visits| format!("{:.1}", mean(visits)))
+                };
                 writeln!(
                     out,
-                    "| {} | {} | {count} {kind} | {nodes} | {triangles} | {} | {} + {} |",
-                    record.name, tracer.name, seen.hits, seen.hit_or_miss, seen.distance,
+                    "| {} | {} | {count} {kind} | {} | {} | {} | {} | {} | {} |",
+                    record.name,
+                    tracer.name,
+                    per_ray(|visits| visits.nodes),
+                    per_ray(|visits| visits.triangles),
+                    seen.hits,
+                    seen.missed,
+                    seen.extra,
+                    seen.distance,
                 )
             };
             let (primary, shadow) = (tracer.primary_visits, tracer.shadow_visits);
@@ -290,10 +318,6 @@ fn runs(record: &MeshRecord) -> impl Iterator<Item = (&TracerRecord, &Run)> {
         let tracers = record.tracers.iter();
         tracers.map(move |tracer| (tracer, &tracer.runs[run]))
     })
-}
-
-fn frame_ms(run: &Run) -> f64 {
-    run.build.median() + run.primary.median() + run.shadow.median()
 }
 
 /// The median, the smallest and the largest.

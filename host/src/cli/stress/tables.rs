@@ -50,6 +50,10 @@ fn families(rows: &[Row]) -> Table {
         ]);
         cells
     };
+    // A family's tracers stand together, though the rows of others come after all of ours.
+    let mut sums = merged(rows, by);
+    let place = |family: &str| rows.iter().position(|row| row.family == family);
+    sums.sort_by_key(|([family, ..], ..)| place(family));
     Table {
         title: "By family".into(),
         notes: vec![
@@ -63,7 +67,7 @@ fn families(rows: &[Row]) -> Table {
             "family", "tracer", "scenes", "rays", "missed", "false", "wrong", "adrift", "t", "plane",
             "depth", "stack", "ms",
         ],
-        rows: merged(rows, by).into_iter().map(line).collect(),
+        rows: sums.into_iter().map(line).collect(),
     }
 }
 

@@ -49,6 +49,30 @@ fn rows_are_summed_up_and_faults_are_listed() {
     assert!(faulty.contains("25 %"), "{faulty}");
 }
 
+#[test]
+fn tracers_of_a_family_stand_together() {
+    let mut rows = vec![row("scaled", "1e3", "f32"), row("flat", "0", "f32")];
+    let others = rows.clone().into_iter().map(|row| Row {
+        tracer: "other".into(),
+        ..row
+    });
+    rows.extend(others.collect::<Vec<_>>());
+    let text = text(&rows);
+    let lines = text.lines().take_while(|line| !line.contains("By codec"));
+    let is_row = |line: &&str| line.starts_with("  scaled") || line.starts_with("  flat");
+    let own = lines.filter(is_row).map(|line| {
+        let mut words = line.split_whitespace();
+        [words.next(), words.next()].map(Option::unwrap_or_default)
+    });
+    let expected = [
+        ["scaled", "slimbvh"],
+        ["scaled", "other"],
+        ["flat", "slimbvh"],
+        ["flat", "other"],
+    ];
+    assert_eq!(own.collect::<Vec<_>>(), expected);
+}
+
 /// The longest names there are, and the largest figures.
 #[test]
 fn lines_fit_120_columns() {
