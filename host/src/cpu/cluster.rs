@@ -115,9 +115,9 @@ impl Clustering {
         let staying = count - merge_count;
         self.next.resize(staying);
         let (mut next_ids, mut next_boxes) = self.next.as_mut_slices();
+        // The last cluster begins no pair, so there may be no word for it.
         let merged_before = |i: usize| match i {
-            0 => 0,
-            _ if i >= count => merge_count,
+            _ if i + 1 >= count => merge_count,
             _ => rank(i as u32, bits, before) as usize,
         };
         let staying_before = |i: usize| match i {
