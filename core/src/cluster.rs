@@ -5,7 +5,7 @@
 //! Clusters are numbered: the triangles in the order of the curve come first, then each merge. A round looks at the list of
 //! clusters that are left, in order: [`merging_pairs`] says which of its pairs of neighbours merge, a scan numbers them,
 //! and [`merge`] makes their clusters. Of a pair, the left place goes to the new cluster, and the list closes up.
-//! [`place`] then numbers nodes and triangles as `topology` does, so that all later stages need not know.
+//! [`open`] then numbers nodes and triangles as `topology` does, so that all later stages need not know.
 //!
 //! **Rounds are bounded.** In a round that merges by choice the cheapest of all pairs merges, so one cluster goes, but no
 //! more where costs rise all along the curve. So a round that has as many clusters as halving can just bring to one by the
