@@ -159,13 +159,7 @@ fn animate(
         storage.snap(scene);
     }
     let codes = &arguments.picture.codes;
-    let samples = if chosen.is_gpu() {
-        0
-    } else {
-        arguments.picture.sample_count()
-    };
-    let tree = codes.tree(scene.mesh.indices.len(), samples);
-    let config = storage.config(codes.bits(), tree);
+    let config = storage.config(codes.bits(), codes.tree());
     let still = Still {
         vertices: motion.deform.is_none(),
         lights: !motion.orbit_light,

@@ -57,13 +57,6 @@ pub enum Chosen {
     GpuIfItFits(slimbvh::gpu::Gpu),
 }
 
-impl Chosen {
-    /// Whether a GPU is to do it.
-    pub const fn is_gpu(&self) -> bool {
-        !matches!(self, Self::Cpu)
-    }
-}
-
 /// Opens what the arguments ask for.
 #[cfg(feature = "gpu")]
 pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {

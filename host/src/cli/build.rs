@@ -111,8 +111,7 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
         }
     }
     let codes = &arguments.codes;
-    let mut builder =
-        Builder::new(storage.config(codes.bits(), codes.tree(scene.mesh.indices.len(), u64::MAX)));
+    let mut builder = Builder::new(storage.config(codes.bits(), codes.tree()));
     let mut bvh = Bvh::default();
     let progress = output::spinner(format!("building {name}"));
     let stages = builder.build_into(&scene.mesh, &mut bvh)?;

@@ -32,19 +32,14 @@ pub struct CodesArguments {
     codes: Option<Codes>,
 
     /// How the tree is found: by common prefixes of codes, or by merging neighbours that suit each other best, which takes
-    /// longer to build and fewer nodes a ray. The picture stays the same. Without it auto
+    /// longer to build and fewer nodes a ray. The picture stays the same. Without it, radix
     #[arg(long, value_enum)]
     tree: Option<Tree>,
 }
 
-/// With fewer, a clustered tree takes longer to build than it saves rays: ARCHITECTURE.md.
-const SAMPLES_A_TRIANGLE: u64 = 8;
-
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Tree {
-    /// Clustered on the CPU where a picture has eight samples or more for each triangle, else radix
-    Auto,
-    /// Karras' radix tree
+    /// Karras' radix tree, on both backends
     Radix,
     /// Locally ordered clustering with rotations; on the CPU only
     Clustered,
@@ -86,12 +81,6 @@ enum Codes {
 }
 
 impl PictureArguments {
-    /// Samples of a picture.
-    pub fn sample_count(&self) -> u64 {
-        let [width, height] = self.sight.size;
-        u64::from(width) * u64::from(height) * u64::from(self.spp)
-    }
-
     /// How to render.
     pub fn settings(&self) -> RenderSettings {
         RenderSettings {
@@ -124,13 +113,11 @@ impl CodesArguments {
         }
     }
 
-    /// How trees are found over so many triangles for pictures of so many samples, of which a GPU makes none.
-    pub fn tree(&self, triangle_count: usize, sample_count: u64) -> TreeKind {
-        let pays = sample_count / SAMPLES_A_TRIANGLE >= triangle_count as u64 && sample_count > 0;
+    /// How trees are found.
+    pub fn tree(&self) -> TreeKind {
         match self.tree {
+            None | Some(Tree::Radix) => TreeKind::Radix,
             Some(Tree::Clustered) => TreeKind::Clustered,
-            None | Some(Tree::Auto) if pays => TreeKind::Clustered,
-            None | Some(Tree::Auto | Tree::Radix) => TreeKind::Radix,
         }
     }
 

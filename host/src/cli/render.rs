@@ -145,13 +145,7 @@ fn render(
     arguments.picture.prepare(scene, &arguments.scene.name())?;
     let storage = arguments.storage.apply(scene, &settings)?;
     let codes = &arguments.picture.codes;
-    let samples = if chosen.is_gpu() {
-        0
-    } else {
-        arguments.picture.sample_count()
-    };
-    let tree = codes.tree(scene.mesh.indices.len(), samples);
-    let config = storage.config(codes.bits(), tree);
+    let config = storage.config(codes.bits(), codes.tree());
     let mut asked = arguments.reduce.asked(scene, &settings);
     if arguments.storage.forbids_reduction() {
         asked.switches.reduce = Reduce::Off;

@@ -5,6 +5,20 @@ use crate::process::Folder;
 use serde_json::Value;
 
 #[test]
+fn clustered_trees_make_the_same_pictures() {
+    let folder = Folder::new();
+    for view in ["color", "normals", "depth", "primitives", "heatmap"] {
+        let pictures = ["radix", "clustered"].map(|tree| {
+            let options = ["--view", view, "--tree", tree, "-o", "view.png"];
+            folder.succeed([&SMALL[..], &["-"], &options].concat());
+            folder.read("view.png")
+        });
+        // As with codes: only the heat map shows the tree.
+        assert_eq!(pictures[0] == pictures[1], view != "heatmap", "{view}");
+    }
+}
+
+#[test]
 fn all_views_with_both_codes() {
     let folder = Folder::new();
     let triangle_count = slimbvh::generate::default_scene().mesh.indices.len();
