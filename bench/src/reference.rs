@@ -26,7 +26,7 @@ impl Reference {
         let mut closest = vec![Answer::MISS; rays.primary.len()];
         let mut any = vec![false; rays.shadow.len()];
         pool(1)?.install(|| {
-            let mut tracer = Slim::new("slimbvh", CodeBits::Bits30, mesh);
+            let mut tracer = Slim::new("slimbvh", CodeBits::Bits30.into(), mesh);
             tracer.build()?;
             tracer.closest_hits(&rays.primary, &mut closest);
             tracer.any_hits(&rays.shadow, &mut any);

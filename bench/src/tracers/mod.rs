@@ -27,7 +27,7 @@ use glam::Vec3;
 use obvhs::BvhBuildParams;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
-use slimbvh::{CodeBits, Mesh, Stages};
+use slimbvh::{BuildConfig, CodeBits, Mesh, Stages, TreeKind};
 use slimbvh_core::Ray;
 use std::ops::Add;
 
@@ -201,7 +201,11 @@ pub const PEER: &str = "obvhs fastest";
 #[must_use]
 pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
     let mesh = input.mesh;
-    let slim = |name, code_bits| Box::new(Slim::new(name, code_bits, mesh));
+    let slim = |name, config| Box::new(Slim::new(name, config, mesh));
+    let clustered = BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    };
     let ploc = |name, params| Box::new(Ploc::new(name, params, &input.triangles));
     let wide = |name, params| Box::new(Wide::new(name, params, &input.triangles));
     let binned = |name, order| Box::new(Binned::new(name, order, mesh));
@@ -210,9 +214,10 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
         expect(unused_mut, reason = "more come with features")
     )]
     let mut tracers: Vec<Box<dyn Tracer + 'a>> = vec![
-        slim(OURS, CodeBits::Bits30),
+        slim(OURS, CodeBits::Bits30.into()),
         ploc(PEER, BvhBuildParams::fastest_build()),
-        slim("slimbvh 63", CodeBits::Bits63),
+        slim("slimbvh 63", CodeBits::Bits63.into()),
+        slim("slimbvh clustered", clustered),
         ploc("obvhs medium", BvhBuildParams::medium_build()),
         wide("obvhs cwbvh8 fastest", BvhBuildParams::fastest_build()),
         wide("obvhs cwbvh8 medium", BvhBuildParams::medium_build()),

@@ -3,7 +3,7 @@
 use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_all};
 use anyhow::Result;
 use rayon::prelude::*;
-use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh, Stages};
+use slimbvh::{BuildConfig, Builder, Bvh, Mesh, Stages};
 use slimbvh_core::classify::Except;
 use slimbvh_core::ray::{PreparedRay, Ray};
 use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, traverse};
@@ -21,8 +21,7 @@ pub struct Slim<'a> {
 impl<'a> Slim<'a> {
     /// Nothing is built yet.
     #[must_use]
-    pub fn new(name: &'static str, code_bits: CodeBits, mesh: &'a Mesh) -> Self {
-        let config = BuildConfig::from(code_bits);
+    pub fn new(name: &'static str, config: BuildConfig, mesh: &'a Mesh) -> Self {
         Self {
             name,
             config,
