@@ -1,13 +1,13 @@
 //! What all of obvhs' trees begin with, and what they are asked with.
 
-use super::not_behind;
+use super::{Answer, not_behind};
 use anyhow::{Result, ensure};
 use glam::Vec3A;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
-use obvhs::ray::Ray as PeerRay;
+use obvhs::ray::{Ray as PeerRay, RayHit};
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use slimbvh_core::Ray;
@@ -81,4 +81,16 @@ pub fn peer_ray(ray: &Ray) -> (PeerRay, f32) {
     let (ray, shift) = not_behind(ray);
     let [origin, direction] = [ray.origin, ray.direction].map(Vec3A::from_array);
     (PeerRay::new(origin, direction, ray.t_min, ray.t_max), shift)
+}
+
+/// What obvhs has found along a ray, whose shift is that of [`peer_ray`], in a tree whose triangles are in this order.
+#[inline(always)]
+pub fn answer(hit: &RayHit, shift: f32, order: &[u32]) -> Answer {
+    match order.get(hit.primitive_id as usize) {
+        Some(&primitive) => Answer {
+            t: hit.t + shift,
+            primitive,
+        },
+        None => Answer::MISS,
+    }
 }

@@ -197,6 +197,13 @@ pub const OURS: &str = "slimbvh 30";
 /// What [`OURS`] is held against first: obvhs with its fastest preset.
 pub const PEER: &str = "obvhs fastest";
 
+/// tinybvh's tree, which this machine's processor decides.
+pub const TINY: &str = if cfg!(target_feature = "avx2") {
+    "tinybvh bvh8"
+} else {
+    "tinybvh bvh2"
+};
+
 /// All of them, [`OURS`] and [`PEER`] first.
 #[must_use]
 pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {

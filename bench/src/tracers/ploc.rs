@@ -1,6 +1,6 @@
 //! obvhs: its binary tree, built by locally ordered clustering.
 
-use super::clusters::{Clusters, in_order, peer_ray};
+use super::clusters::{Clusters, answer, in_order, peer_ray};
 use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_all};
 use anyhow::Result;
 use obvhs::BvhBuildParams;
@@ -119,18 +119,7 @@ impl Tracer for Ploc<'_> {
                 .ray_traverse(peer_ray, &mut hit, |ray, place| {
                     self.leaf_triangles[place].intersect(ray)
                 });
-            match self
-                .clusters
-                .bvh
-                .primitive_indices
-                .get(hit.primitive_id as usize)
-            {
-                Some(&primitive) => Answer {
-                    t: hit.t + shift,
-                    primitive,
-                },
-                None => Answer::MISS,
-            }
+            answer(&hit, shift, &self.clusters.bvh.primitive_indices)
         });
     }
 

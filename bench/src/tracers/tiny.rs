@@ -3,7 +3,7 @@
 // The wrapper does not mark its trees as fit for threads.
 #![allow(unsafe_code)]
 
-use super::{Answer, Bytes, Tracer, answer_all, from_start, length};
+use super::{Answer, Bytes, TINY, Tracer, answer_all, from_start, length};
 use anyhow::{Result, anyhow};
 use glam::Vec3;
 use slimbvh::Stages;
@@ -17,11 +17,6 @@ pub struct Tiny<'a> {
     positions: &'a [[f32; 4]],
     built: Option<Shared<'a>>,
 }
-
-#[cfg(target_feature = "avx2")]
-const NAME: &str = "tinybvh bvh8";
-#[cfg(not(target_feature = "avx2"))]
-const NAME: &str = "tinybvh bvh2";
 
 /// The tree that is traced. That of eight children has copied what it needs of the list of corners.
 struct Shared<'a> {
@@ -119,7 +114,7 @@ fn reciprocal(x: f32) -> f32 {
 
 impl Tracer for Tiny<'_> {
     fn name(&self) -> &'static str {
-        NAME
+        TINY
     }
 
     fn build(&mut self) -> Result<Stages> {

@@ -1,6 +1,6 @@
 //! obvhs: its compressed tree of eight children a node.
 
-use super::clusters::{Clusters, in_order, peer_ray};
+use super::clusters::{Clusters, answer, in_order, peer_ray};
 use super::{Answer, Bytes, Tracer, answer_all};
 use anyhow::Result;
 use obvhs::BvhBuildParams;
@@ -61,13 +61,7 @@ impl Tracer for Wide<'_> {
             self.bvh.ray_traverse(peer_ray, &mut hit, |ray, place| {
                 self.leaf_triangles[place].intersect(ray)
             });
-            match self.bvh.primitive_indices.get(hit.primitive_id as usize) {
-                Some(&primitive) => Answer {
-                    t: hit.t + shift,
-                    primitive,
-                },
-                None => Answer::MISS,
-            }
+            answer(&hit, shift, &self.bvh.primitive_indices)
         });
     }
 

@@ -78,7 +78,8 @@ pub fn contained(mut task: Task<'_>, ray_count: usize, limit: Duration) -> Resul
     Ok(answered)
 }
 
-const MISS: Answer = Answer {
+/// Nothing is hit, or nothing is answered.
+pub const MISS: Answer = Answer {
     closest: Hit::MISS,
     any: false,
 };

@@ -1,14 +1,13 @@
 //! All peers as one tracer, each of whose trees is a peer: so exact answers are found once for all.
 
 use crate::child::Task;
-use crate::contain::contained;
+use crate::contain::{MISS, contained};
 use crate::options::Options;
 use anyhow::{Result, ensure};
 use slimbvh::Ray;
-use slimbvh::stress::{Answer, BOUND_ULPS, Case, Failure, Outcome, Row, Tracer, Tree};
-use slimbvh::{Hit, stress::Effort};
+use slimbvh::stress::{BOUND_ULPS, Case, Effort, Failure, Outcome, Row, Tracer, Tree};
 use slimbvh_bench::Input;
-use slimbvh_bench::tracers::tracers;
+use slimbvh_bench::tracers::{TINY, tracers};
 use std::collections::HashMap;
 use std::time::Duration;
 
@@ -33,11 +32,6 @@ const ASKED: [Peer; 7] = [
     Peer::new("embree sah", "embree", "robust"),
     Peer::new("embree sah x16", "embree x16", "robust"),
 ];
-
-#[cfg(target_feature = "avx2")]
-const TINY: &str = "tinybvh bvh8";
-#[cfg(not(target_feature = "avx2"))]
-const TINY: &str = "tinybvh bvh2";
 
 impl Peer {
     const fn new(tracer: &'static str, row: &'static str, tree: &'static str) -> Self {
@@ -132,12 +126,8 @@ impl Tracer for Peers {
         if answered.refused > 0 {
             eprintln!("  {}: does not take {} rays", tree.codec, answered.refused);
         }
-        let miss = Answer {
-            closest: Hit::MISS,
-            any: false,
-        };
         let mut answers = answered.answers;
-        answers.resize(rays.len(), miss);
+        answers.resize(rays.len(), MISS);
         let corner = |v: u32| case.mesh.vertices[v as usize];
         let triangles = case.mesh.indices.iter().map(|face| face.map(corner));
         Ok(Outcome {
